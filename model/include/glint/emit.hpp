@@ -1,0 +1,15 @@
+// Generated sources: the constants of a lobe on their way to rtl/ and hls/.
+#pragma once
+
+#include <string>
+
+namespace glint {
+
+struct GeneratedFile {
+    enum class Target { verilog, hls };
+    Target target = Target::verilog;
+    std::string name;  ///< file name without a folder
+    std::string text;
+};
+
+}  // namespace glint
