@@ -6,7 +6,7 @@
 namespace glint {
 
 struct GeneratedFile {
-    enum class Target { verilog, hls };
+    enum class Target { verilog, hls, proof };
     Target target = Target::verilog;
     std::string name;  ///< file name without a folder
     std::string text;

@@ -1,0 +1,23 @@
+// The subcommands of `glint`: each adds itself to the command line and leaves what to run.
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include <CLI/CLI.hpp>
+
+namespace glint::cli {
+
+/// What the chosen subcommand runs; `command` is the command line as typed.
+struct Chosen {
+    std::function<int()> run;
+    std::string command;
+};
+
+void add_eval(CLI::App& app, Chosen& chosen);
+void add_sweep(CLI::App& app, Chosen& chosen);
+void add_vectors(CLI::App& app, Chosen& chosen);
+void add_emit(CLI::App& app, Chosen& chosen);
+void add_report(CLI::App& app, Chosen& chosen);
+
+}  // namespace glint::cli

@@ -1,0 +1,127 @@
+#include "common.hpp"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cctype>
+#include <chrono>
+#include <cstdio>
+#include <fstream>
+#include <system_error>
+
+#include <fmt/format.h>
+
+#include "glint/error.hpp"
+
+namespace glint::cli {
+
+int run(CLI::App& app, int argc, char** argv, const std::function<int()>& command) {
+    app.set_version_flag("--version", GLINT_VERSION);
+    try {
+        app.parse(argc, argv);
+        return command();
+    } catch (const CLI::ParseError& error) {
+        if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
+        fmt::print(stderr, "{}: {} (see {} --help)\n", app.get_name(), error.what(), app.get_name());
+    } catch (const Error& error) {
+        fmt::print(stderr, "{}: {}\n", app.get_name(), error.what());
+    }
+    return bad_arguments;
+}
+
+void make_folder(const std::filesystem::path& folder) {
+    std::error_code error;
+    std::filesystem::create_directories(folder, error);
+    if (error) throw Error(fmt::format("folder '{}' cannot be made: {}", folder.string(), error.message()));
+}
+
+void write_file(const std::filesystem::path& path, std::string_view text) {
+    // The process number keeps two commands that write the same file apart.
+    std::filesystem::path temporary = path;
+    temporary += fmt::format(".{}.tmp", getpid());
+    std::ofstream file(temporary, std::ios::binary);
+    file.write(text.data(), static_cast<std::streamsize>(text.size()));
+    file.close();
+    std::error_code error;
+    if (file) std::filesystem::rename(temporary, path, error);
+    if (!file || error) {
+        std::error_code ignored;
+        std::filesystem::remove(temporary, ignored);
+        throw Error(fmt::format("file '{}' cannot be written", path.string()));
+    }
+}
+
+Progress progress_bar(std::string label) {
+    if (!isatty(STDERR_FILENO)) return {};
+    using clock = std::chrono::steady_clock;
+    return [label = std::move(label), start = clock::now(), last = clock::time_point{}](double done) mutable {
+        const auto now = clock::now();
+        const bool end = done >= 1.0;
+        if (now - start < std::chrono::seconds(2) || (!end && now - last < std::chrono::milliseconds(100))) return;
+        last = now;
+        constexpr int width = 40;
+        const auto filled = static_cast<std::size_t>(done * width);
+        const double seconds = std::chrono::duration<double>(now - start).count();
+        fmt::print(stderr, "\r{} [{}{}] {:3.0f} % {:4.0f} s{}", label, std::string(filled, '#'),
+                   std::string(width - filled, '.'), 100.0 * done, seconds, end ? "\n" : "");
+        std::fflush(stderr);
+    };
+}
+
+std::string table(const std::vector<std::vector<std::string>>& rows) {
+    std::vector<std::size_t> widths;
+    for (const auto& row : rows) {
+        widths.resize(std::max(widths.size(), row.size()), 0);
+        for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], row[i].size());
+    }
+    std::string out;
+    for (const auto& row : rows) {
+        std::string line;
+        for (std::size_t i = 0; i < row.size(); ++i) {
+            const bool number = !row[i].empty() && std::isdigit(static_cast<unsigned char>(row[i][0])) != 0;
+            const bool heading = &row == &rows.front();
+            line += number || heading ? fmt::format("{:>{}}", row[i], widths[i])
+                                      : fmt::format("{:<{}}", row[i], widths[i]);
+            if (i + 1 < row.size()) line += "  ";
+        }
+        line.erase(line.find_last_not_of(' ') + 1);
+        out += line + '\n';
+    }
+    return out;
+}
+
+std::vector<std::string> split_profiles(const std::string& text) {
+    std::vector<std::string> out;
+    bool open = false;  // the last entry is a custom profile that may go on
+    std::string field;
+    for (std::size_t i = 0; i <= text.size(); ++i) {
+        if (i < text.size() && text[i] != ',' && text[i] != ';') {
+            field += text[i];
+            continue;
+        }
+        const bool number = !field.empty() && std::all_of(field.begin(), field.end(), [](unsigned char c) {
+            return std::isdigit(c) != 0;
+        });
+        if (number && open) {
+            out.back() += ',' + field;
+        } else {
+            out.push_back(field);
+        }
+        open = number && i < text.size() && text[i] == ',';
+        field.clear();
+    }
+    return out;
+}
+
+std::vector<std::unique_ptr<GoldenModel>> models(const std::string& lobes, const std::string& profiles) {
+    std::vector<std::unique_ptr<GoldenModel>> out;
+    for (std::size_t begin = 0; begin <= lobes.size();) {
+        const std::size_t end = std::min(lobes.find(',', begin), lobes.size());
+        const Lobe& lobe = find_lobe(lobes.substr(begin, end - begin));
+        for (const std::string& profile : split_profiles(profiles)) out.push_back(lobe.golden(parse_profile(profile)));
+        begin = end + 1;
+    }
+    return out;
+}
+
+}  // namespace glint::cli

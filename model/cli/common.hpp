@@ -1,0 +1,44 @@
+// What the commands share: the frame of a command line, output files, progress, tables.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "glint/lobes.hpp"
+#include "glint/parallel.hpp"
+
+namespace glint::cli {
+
+/// The exit statuses of every command.
+enum Exit { success = 0, check_failed = 1, bad_arguments = 2 };
+
+/// Parses the command line, runs `command` and turns errors into one line on stderr and an exit status.
+int run(CLI::App& app, int argc, char** argv, const std::function<int()>& command);
+
+/// Writes a file whole or not at all: under a temporary name beside it, then renamed. Throws Error.
+void write_file(const std::filesystem::path& path, std::string_view text);
+
+/// Makes the folder if it is not there. Throws Error.
+void make_folder(const std::filesystem::path& folder);
+
+/// A bar on stderr for work that takes longer than two seconds, when stderr is a terminal.
+Progress progress_bar(std::string label);
+
+/// Columns aligned; the first row is the heading, numbers to the right.
+std::string table(const std::vector<std::vector<std::string>>& rows);
+
+/// The golden models of every pair of the two comma separated lists, lobes outermost. A custom profile holds commas
+/// itself: its numbers are taken together. Throws Error.
+std::vector<std::unique_ptr<GoldenModel>> models(const std::string& lobes, const std::string& profiles);
+
+/// "p8,18,14,14,12,p12" -> p8; 18,14,14,12; p12. A custom profile ends where a name begins or where its numbers are
+/// separated by ';' from the next one. Throws Error.
+std::vector<std::string> split_profiles(const std::string& text);
+
+}  // namespace glint::cli

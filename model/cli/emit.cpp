@@ -1,0 +1,70 @@
+#include "glint/emit.hpp"
+
+#include <fmt/format.h>
+
+#include "commands.hpp"
+#include "common.hpp"
+#include "glint/error.hpp"
+#include "glint/sweep.hpp"
+
+namespace glint::cli {
+namespace {
+
+struct Options {
+    std::string lobe = "bps";
+    std::string profile = "p12";
+    std::string target = "all";
+    std::string folder = ".";
+};
+
+std::string_view name(GeneratedFile::Target target) {
+    switch (target) {
+        case GeneratedFile::Target::verilog: return "verilog";
+        case GeneratedFile::Target::hls: return "hls";
+        case GeneratedFile::Target::proof: return "proof";
+    }
+    return "";
+}
+
+/// What is known about the error of a custom profile: measured over all inputs where that takes seconds.
+std::string measured_bound(const GoldenModel& model) {
+    if (model.profile().F > 18) return "not shown (more than 2^28 inputs; `glint sweep` measures a part or all)";
+    const SweepResult result = sweep(model, {1, max_n, 1}, {0, model.profile().one(), 1}, 0, progress_bar("rounding"));
+    return fmt::format("{:.4f} ulp, measured over all {} inputs", result.total.rounding.value, result.total.inputs);
+}
+
+int run_emit(const Options& options) {
+    if (options.target != "all" && options.target != "verilog" && options.target != "hls" && options.target != "proof") {
+        throw Error(fmt::format("target '{}' is not legal: verilog, hls, proof or all", options.target));
+    }
+    make_folder(options.folder);
+    const Lobe& lobe = find_lobe(options.lobe);
+    for (const std::string& text : split_profiles(options.profile)) {
+        const Profile profile = parse_profile(text);
+        for (const GeneratedFile& file : lobe.emit(profile)) {
+            if (options.target != "all" && options.target != name(file.target)) continue;
+            const std::filesystem::path path = std::filesystem::path(options.folder) / file.name;
+            write_file(path, file.text);
+            fmt::print("{}\n", path.string());
+        }
+        if (!profile.shipped()) {
+            fmt::print("{} {}: rounding error {}\n", lobe.name, text, measured_bound(*lobe.golden(profile)));
+        }
+    }
+    return success;
+}
+
+}  // namespace
+
+void add_emit(CLI::App& app, Chosen& chosen) {
+    auto options = std::make_shared<Options>();
+    CLI::App* command = app.add_subcommand("emit", "Verilog wrappers, HLS constants and proof scripts of a profile");
+    command->add_option("--lobe", options->lobe, "Lobe")->capture_default_str();
+    command->add_option("--profile", options->profile, "Profiles: p8, p12, p16 or F,S,K,O")->capture_default_str();
+    command->add_option("--target", options->target, "verilog, hls, proof or all")->capture_default_str();
+    command->add_option("-o,--output", options->folder, "Folder")->capture_default_str();
+    command->footer("Example: glint emit --lobe bps --profile 18,14,14,12 -o out");
+    command->callback([=, &chosen] { chosen.run = [=] { return run_emit(*options); }; });
+}
+
+}  // namespace glint::cli

@@ -1,0 +1,140 @@
+#include "glint/accuracy.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include "glint/reference.hpp"
+
+namespace glint {
+namespace {
+
+/// c^n so small is 0 to every output; stopping there keeps the products clear of subnormal numbers, which are slow.
+constexpr double negligible = 1e-200;
+
+/// Index of the largest element and the sum of squares.
+struct Extremes {
+    double largest = -1.0;
+    double squares = 0.0;
+};
+
+Extremes extremes(const double* values, std::size_t count) {
+    double largest = -1.0;
+    double squares = 0.0;
+#pragma omp simd reduction(max : largest) reduction(+ : squares)
+    for (std::size_t i = 0; i < count; ++i) {
+        largest = values[i] > largest ? values[i] : largest;
+        squares += values[i] * values[i];
+    }
+    return {largest, squares};
+}
+
+void update(Worst& worst, double largest, const std::vector<double>& values, int n,
+            const std::vector<std::int32_t>& codes) {
+    if (largest < worst.value) return;
+    const auto at = std::find(values.begin(), values.end(), largest) - values.begin();
+    worst.merge({largest, n, codes[static_cast<std::size_t>(at)]});
+}
+
+}  // namespace
+
+void Worst::merge(const Worst& other) {
+    if (std::tuple(-other.value, other.n, other.cos_code) < std::tuple(-value, n, cos_code)) *this = other;
+}
+
+double Accuracy::rounding_rms() const { return std::sqrt(rounding_squares / static_cast<double>(inputs)); }
+double Accuracy::approximation_rms() const { return std::sqrt(approximation_squares / static_cast<double>(inputs)); }
+
+void Accuracy::merge(const Accuracy& other) {
+    inputs += other.inputs;
+    rounding.merge(other.rounding);
+    rounding_squares += other.rounding_squares;
+    approximation.merge(other.approximation);
+    approximation_squares += other.approximation_squares;
+    approximation_exact.merge(other.approximation_exact);
+    epicentre.merge(other.epicentre);
+}
+
+void AccuracyMeter::Powers::move(int from, int to) {
+    value.resize(c.size());
+    if (from == 0 || to < from || to - from > 16) {
+        for (std::size_t i = 0; i < c.size(); ++i) {
+            const double power = std::pow(c[i], to);
+            value[i] = power < negligible ? 0.0 : power;
+        }
+        return;
+    }
+    double* power = value.data();
+    const double* base = c.data();
+    const std::size_t count = c.size();
+    for (int n = from; n < to; ++n) {
+#pragma omp simd
+        for (std::size_t i = 0; i < count; ++i) {
+            const double next = power[i] * base[i];
+            power[i] = next < negligible ? 0.0 : next;
+        }
+    }
+}
+
+AccuracyMeter::AccuracyMeter(const GoldenModel& model, std::span<const std::int32_t> cos_codes)
+    : model_(model), codes_(cos_codes.begin(), cos_codes.end()) {
+    for (const std::int32_t code : codes_) {
+        at_.c.push_back(std::ldexp(code, -model.profile().F));
+        below_.c.push_back(std::max(0.0, std::ldexp(code - 0.5, -model.profile().F)));
+        above_.c.push_back(std::min(1.0, std::ldexp(code + 0.5, -model.profile().F)));
+    }
+    exact_.resize(codes_.size());
+    rounding_error_.resize(codes_.size());
+    error_.resize(codes_.size());
+    exact_error_.resize(codes_.size());
+}
+
+void AccuracyMeter::move_to(int n) {
+    if (n == n_) return;
+    at_.move(n_, n);
+    below_.move(n_, n);
+    above_.move(n_, n);
+    n_ = n;
+}
+
+void AccuracyMeter::add(int n, std::span<const std::uint32_t> packed, Accuracy& into) {
+    const std::size_t count = codes_.size();
+    if (count == 0) return;
+    move_to(n);
+    model_.reference(n, at_.c, exact_);
+
+    const double ulp = std::ldexp(1.0, -model_.profile().O);
+    const double inverse_ulp = std::ldexp(1.0, model_.profile().O);
+    const double* exact = exact_.data();
+    const double* at = at_.value.data();
+    const double* below = below_.value.data();
+    const double* above = above_.value.data();
+    double* rounding_error = rounding_error_.data();
+    double* error = error_.data();
+    double* exact_error = exact_error_.data();
+    const std::uint32_t* word = packed.data();
+#pragma omp simd
+    for (std::size_t i = 0; i < count; ++i) {
+        const double y = static_cast<std::int32_t>(word[i] & 0x7fff'ffffU) * ulp;
+        rounding_error[i] = std::abs(y - exact[i]) * inverse_ulp;
+        error[i] = std::abs(y - at[i]);
+        const double low = std::abs(y - below[i]);
+        const double high = std::abs(y - above[i]);
+        exact_error[i] = low > high ? low : high;
+    }
+
+    into.inputs += count;
+    const Extremes rounding = extremes(rounding_error, count);
+    into.rounding_squares += rounding.squares;
+    update(into.rounding, rounding.largest, rounding_error_, n, codes_);
+    const Extremes approximation = extremes(error, count);
+    into.approximation_squares += approximation.squares;
+    update(into.approximation, approximation.largest, error_, n, codes_);
+    update(into.approximation_exact, extremes(exact_error, count).largest, exact_error_, n, codes_);
+
+    if (n < 2) return;  // at n = 1 the zone reaches c = 0
+    const double edge = reference::epicentre_cosine(n);
+    for (std::size_t i = count; i-- > 0 && at_.c[i] >= edge;) into.epicentre.merge({error[i] / at[i], n, codes_[i]});
+}
+
+}  // namespace glint

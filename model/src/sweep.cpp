@@ -1,0 +1,58 @@
+#include "glint/sweep.hpp"
+
+#include "glint/error.hpp"
+
+namespace glint {
+namespace {
+
+/// Codes in a task: the working set of a block (some ten doubles a code) stays in the second-level cache.
+constexpr std::int64_t block = 4096;
+
+}  // namespace
+
+SweepPlan::SweepPlan(Range n, Range cos_code)
+    : cos_code_(cos_code), tasks_(static_cast<std::size_t>((cos_code.size() + block - 1) / block)) {
+    for (std::int64_t i = 0; i < n.size(); ++i) n_.push_back(static_cast<int>(n[i]));
+    if (inputs() == 0) throw Error("sweep of 0 inputs is not legal: at least 1");
+}
+
+std::vector<std::int32_t> SweepPlan::codes(std::size_t task) const {
+    std::vector<std::int32_t> out;
+    const std::int64_t first = static_cast<std::int64_t>(task) * block;
+    for (std::int64_t i = first; i < std::min(first + block, cos_code_.size()); ++i) {
+        out.push_back(static_cast<std::int32_t>(cos_code_[i]));
+    }
+    return out;
+}
+
+SweepResult SweepPlan::merge(const std::vector<std::vector<Accuracy>>& by_task) const {
+    SweepResult out;
+    for (std::size_t i = 0; i < n_.size(); ++i) {
+        AccuracyRow row{n_[i], {}};
+        for (const auto& task : by_task) row.accuracy.merge(task[i]);
+        out.total.merge(row.accuracy);
+        out.rows.push_back(row);
+    }
+    return out;
+}
+
+SweepResult sweep(const GoldenModel& model, Range n, Range cos_code, unsigned threads, const Progress& progress) {
+    const SweepPlan plan(n, cos_code);
+    std::vector<std::vector<Accuracy>> by_task(plan.tasks(), std::vector<Accuracy>(plan.n().size()));
+    parallel_tasks(plan.tasks(), threads, progress, [&] {
+        return [&](std::size_t task) {
+            const std::vector<std::int32_t> codes = plan.codes(task);
+            std::vector<std::uint16_t> exponents(codes.size());
+            std::vector<std::uint32_t> packed(codes.size());
+            AccuracyMeter meter(model, codes);
+            for (std::size_t i = 0; i < plan.n().size(); ++i) {
+                exponents.assign(codes.size(), static_cast<std::uint16_t>(plan.n()[i]));
+                model.eval_port_batch(exponents, codes, packed);
+                meter.add(plan.n()[i], packed, by_task[task][i]);
+            }
+        };
+    });
+    return plan.merge(by_task);
+}
+
+}  // namespace glint
