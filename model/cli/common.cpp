@@ -80,8 +80,8 @@ std::string table(const std::vector<std::vector<std::string>>& rows) {
         for (std::size_t i = 0; i < row.size(); ++i) {
             const bool number = !row[i].empty() && std::isdigit(static_cast<unsigned char>(row[i][0])) != 0;
             const bool heading = &row == &rows.front();
-            line += number || heading ? fmt::format("{:>{}}", row[i], widths[i])
-                                      : fmt::format("{:<{}}", row[i], widths[i]);
+            line +=
+                number || heading ? fmt::format("{:>{}}", row[i], widths[i]) : fmt::format("{:<{}}", row[i], widths[i]);
             if (i + 1 < row.size()) line += "  ";
         }
         line.erase(line.find_last_not_of(' ') + 1);
@@ -99,9 +99,8 @@ std::vector<std::string> split_profiles(const std::string& text) {
             field += text[i];
             continue;
         }
-        const bool number = !field.empty() && std::all_of(field.begin(), field.end(), [](unsigned char c) {
-            return std::isdigit(c) != 0;
-        });
+        const bool number = !field.empty() && std::all_of(field.begin(), field.end(),
+                                                          [](unsigned char c) { return std::isdigit(c) != 0; });
         if (number && open) {
             out.back() += ',' + field;
         } else {

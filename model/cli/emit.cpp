@@ -19,9 +19,12 @@ struct Options {
 
 std::string_view name(GeneratedFile::Target target) {
     switch (target) {
-        case GeneratedFile::Target::verilog: return "verilog";
-        case GeneratedFile::Target::hls: return "hls";
-        case GeneratedFile::Target::proof: return "proof";
+        case GeneratedFile::Target::verilog:
+            return "verilog";
+        case GeneratedFile::Target::hls:
+            return "hls";
+        case GeneratedFile::Target::proof:
+            return "proof";
     }
     return "";
 }
@@ -34,7 +37,8 @@ std::string measured_bound(const GoldenModel& model) {
 }
 
 int run_emit(const Options& options) {
-    if (options.target != "all" && options.target != "verilog" && options.target != "hls" && options.target != "proof") {
+    if (options.target != "all" && options.target != "verilog" && options.target != "hls" &&
+        options.target != "proof") {
         throw Error(fmt::format("target '{}' is not legal: verilog, hls, proof or all", options.target));
     }
     make_folder(options.folder);

@@ -40,8 +40,9 @@ int show(const GoldenModel& model, const Lobe& lobe, int n, std::int64_t cos_cod
     const double blinn_phong = reference::blinn_phong(c, counted);
     fmt::print("{} {} n {} cos code {} (c = {:.9f}){}\n{}", lobe.name, model.profile().name, n, cos_code, c,
                result.clamped ? ", clamped" : "", table(rows));
-    fmt::print("{} of real numbers {:.9f}, rounding error {:.4f} ulp; c^n {:.9f}, approximation error {:.6f}\n", lobe.name,
-               real, std::abs(y - real) * std::ldexp(1.0, model.profile().O), blinn_phong, std::abs(y - blinn_phong));
+    fmt::print("{} of real numbers {:.9f}, rounding error {:.4f} ulp; c^n {:.9f}, approximation error {:.6f}\n",
+               lobe.name, real, std::abs(y - real) * std::ldexp(1.0, model.profile().O), blinn_phong,
+               std::abs(y - blinn_phong));
     return success;
 }
 

@@ -8,7 +8,8 @@ void add_report(CLI::App& app, Chosen& chosen) {
     options->output = "report";
     CLI::App* command = app.add_subcommand("report", "A page with the table and the plots of measured results");
     command->add_option("--results", options->results, "JSON files of glint-cosim or glint sweep")->required();
-    command->add_option("-o,--output", options->output, "Folder for index.html and the pictures")->capture_default_str();
+    command->add_option("-o,--output", options->output, "Folder for index.html and the pictures")
+        ->capture_default_str();
     command->footer("Example: glint report --results build/cosim.json -o report");
     command->callback([=, &chosen] { chosen.run = [=] { return report(*options); }; });
 }

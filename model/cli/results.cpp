@@ -29,9 +29,15 @@ Json to_json(const Accuracy& a) {
 }
 
 Json to_json(const RunResult& run) {
-    Json out{{"lobe", run.lobe},       {"profile", run.profile},       {"F", run.F},           {"O", run.O},
-             {"unit", run.unit},       {"test", run.test},             {"exhaustive", run.exhaustive},
-             {"inputs", run.inputs},   {"seconds", run.seconds},
+    Json out{{"lobe", run.lobe},
+             {"profile", run.profile},
+             {"F", run.F},
+             {"O", run.O},
+             {"unit", run.unit},
+             {"test", run.test},
+             {"exhaustive", run.exhaustive},
+             {"inputs", run.inputs},
+             {"seconds", run.seconds},
              {"vectors_per_second", run.seconds > 0 ? static_cast<double>(run.inputs) / run.seconds : 0.0}};
     if (run.hardware) {
         out["mismatches"] = run.hardware->mismatches;
@@ -116,7 +122,8 @@ std::string results_table(const std::vector<RunResult>& runs, bool hardware) {
         rows.push_back(row);
     }
     return table(rows) +
-           "rounding: against the lobe's real function; error, epicentre: against c^n at the rounded cosine (epicentre:\n"
+           "rounding: against the lobe's real function; error, epicentre: against c^n at the rounded cosine "
+           "(epicentre:\n"
            "relative, n >= 2); exact cos: against c^n at the worse end of what rounds to the cosine's code\n";
 }
 
@@ -125,8 +132,8 @@ std::string to_csv(const std::vector<RunResult>& runs) {
         "lobe,profile,n,inputs,rounding_max_ulp,rounding_cos_code,rounding_rms_ulp,error_max,error_cos_code,error_rms,"
         "error_exact_cosine_max,error_exact_cosine_cos_code,epicentre_max,epicentre_cos_code\n";
     const auto line = [&](const RunResult& run, const std::string& n, const Accuracy& a) {
-        const auto epicentre = a.epicentre.seen() ? fmt::format("{:.9g},{}", a.epicentre.value, a.epicentre.cos_code)
-                                                  : std::string(",");
+        const auto epicentre =
+            a.epicentre.seen() ? fmt::format("{:.9g},{}", a.epicentre.value, a.epicentre.cos_code) : std::string(",");
         out += fmt::format("{},{},{},{},{:.9g},{},{:.9g},{:.9g},{},{:.9g},{:.9g},{},{}\n", run.lobe, run.profile, n,
                            a.inputs, a.rounding.value, a.rounding.cos_code, a.rounding_rms(), a.approximation.value,
                            a.approximation.cos_code, a.approximation_rms(), a.approximation_exact.value,

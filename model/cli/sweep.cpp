@@ -29,7 +29,8 @@ int run_sweep(const Options& options, const std::string& command) {
         const Range codes = parse_range(options.cos, "--cos", 0, model->profile().one());
         RunResult run = run_result(*model, "model", "sweep");
         const auto start = std::chrono::steady_clock::now();
-        run.accuracy = sweep(*model, n, codes, options.threads, progress_bar(fmt::format("{} {}", run.lobe, run.profile)));
+        run.accuracy =
+            sweep(*model, n, codes, options.threads, progress_bar(fmt::format("{} {}", run.lobe, run.profile)));
         run.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
         run.inputs = run.accuracy->total.inputs;
         run.exhaustive = run.inputs == max_n * (static_cast<std::uint64_t>(model->profile().one()) + 1);
@@ -47,7 +48,8 @@ int run_sweep(const Options& options, const std::string& command) {
 
 void add_sweep(CLI::App& app, Chosen& chosen) {
     auto options = std::make_shared<Options>();
-    CLI::App* command = app.add_subcommand("sweep", "Errors of a golden model over ranges of inputs, per n and in total");
+    CLI::App* command =
+        app.add_subcommand("sweep", "Errors of a golden model over ranges of inputs, per n and in total");
     command->add_option("--lobe", options->lobe, "Lobes, separated by commas")->capture_default_str();
     command->add_option("--profile", options->profile, "Profiles: p8, p12, p16 or F,S,K,O")->capture_default_str();
     command->add_option("--n", options->n, "Exponents: n, first:last, first:last:step or all")->capture_default_str();

@@ -23,8 +23,8 @@ PortResult GoldenModel::eval_port(int n, std::int64_t cos_code) const {
 void GoldenModel::eval_port_batch(std::span<const std::uint16_t> n, std::span<const std::int32_t> cos_code,
                                   std::span<std::uint32_t> packed) const {
     if (n.size() != cos_code.size() || n.size() != packed.size()) {
-        throw Error(fmt::format("batch lengths {}, {}, {} are not legal: all equal", n.size(), cos_code.size(),
-                                packed.size()));
+        throw Error(
+            fmt::format("batch lengths {}, {}, {} are not legal: all equal", n.size(), cos_code.size(), packed.size()));
     }
     if (!n.empty()) batch(n, cos_code, packed);
 }

@@ -20,8 +20,8 @@ Profile parse_profile(std::string_view text) {
     }
     const auto refuse = [&](std::string_view why) {
         return Error(fmt::format(
-            "profile '{}' is not legal: {}; legal are p8, p12, p16, or F,...,O with 8 <= F <= 30 and 4 <= O <= 28", text,
-            why));
+            "profile '{}' is not legal: {}; legal are p8, p12, p16, or F,...,O with 8 <= F <= 30 and 4 <= O <= 28",
+            text, why));
     };
     Profile out;
     for (std::string_view rest = text;;) {

@@ -37,7 +37,8 @@ struct Accuracy {
 /// Measures results for one list of cosine codes at one n after the other.
 ///
 /// c^n comes from std::pow at the first n and at every jump of more than 16; between them from at most 1022
-/// multiplications by c, each off by 2^-53 at most, relatively: an error below 2e-13, and values below 1e-200 count as 0.
+/// multiplications by c, each off by 2^-53 at most, relatively: an error below 2e-13, and values below 1e-200 count as
+/// 0.
 class AccuracyMeter {
 public:
     /// Legal: codes in 0..2^F. The model has to outlive the meter.

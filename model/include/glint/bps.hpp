@@ -10,10 +10,10 @@ namespace glint {
 
 /// The word lengths of `bps` and its constants at them.
 struct BpsFormat {
-    int F = 0;  ///< fraction bits of the cosine, 8..30
-    int S = 0;  ///< fraction bits of the quotient, O..30
-    int K = 0;  ///< fraction bits of the constants, O..30
-    int O = 0;  ///< fraction bits of the output, 4..28
+    int F = 0;                                  ///< fraction bits of the cosine, 8..30
+    int S = 0;                                  ///< fraction bits of the quotient, O..30
+    int K = 0;                                  ///< fraction bits of the constants, O..30
+    int O = 0;                                  ///< fraction bits of the output, 4..28
     std::int64_t a = 0, b = 0, c1 = 0, d0 = 0;  ///< at K fraction bits
 };
 

@@ -7,9 +7,7 @@ namespace glint {
 
 /// rnd(x, k) = floor((x + 2^(k-1)) / 2^k) for k > 0 (round half up), x for k = 0.
 /// Legal: 0 <= k <= 62 and x + 2^(k-1) within int64. C++20 defines >> of a negative number as the floor.
-constexpr std::int64_t rnd(std::int64_t x, int k) {
-    return k == 0 ? x : (x + (std::int64_t{1} << (k - 1))) >> k;
-}
+constexpr std::int64_t rnd(std::int64_t x, int k) { return k == 0 ? x : (x + (std::int64_t{1} << (k - 1))) >> k; }
 
 /// A real constant at `fraction_bits` bits: value * 2^fraction_bits to the nearest integer, halves away from zero.
 /// Legal: finite, 0 <= fraction_bits <= 48, |value| < 4 (so that the scaling by a power of two is exact). Throws Error.

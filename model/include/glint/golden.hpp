@@ -18,12 +18,8 @@ struct PortResult {
 };
 
 /// A result as one word: y in the low bits, `clamped` in bit 31, as on the AXI4-Stream port.
-constexpr std::uint32_t pack(const PortResult& result) {
-    return result.y | (result.clamped ? 0x8000'0000U : 0U);
-}
-constexpr PortResult unpack(std::uint32_t word) {
-    return {word & 0x7fff'ffffU, (word >> 31) != 0};
-}
+constexpr std::uint32_t pack(const PortResult& result) { return result.y | (result.clamped ? 0x8000'0000U : 0U); }
+constexpr PortResult unpack(std::uint32_t word) { return {word & 0x7fff'ffffU, (word >> 31) != 0}; }
 
 /// One intermediate value, under the name that it has in docs/contract.md, in the Verilog and in the HLS kernel.
 struct Intermediate {

@@ -14,9 +14,9 @@ inline constexpr int max_n = 1023;
 /// A profile names the fraction bits of the cosine (F) and of the output (O) for all lobes. Guard bits belong to each
 /// lobe: a lobe knows its own for the shipped profiles; a custom profile lists them in the lobe's own order.
 struct Profile {
-    std::string name;         ///< "p12", or the numbers of a custom profile joined by '_': part of file and module names
-    int F = 0;                ///< fraction bits of the cosine
-    int O = 0;                ///< fraction bits of the output
+    std::string name;  ///< "p12", or the numbers of a custom profile joined by '_': part of file and module names
+    int F = 0;         ///< fraction bits of the cosine
+    int O = 0;         ///< fraction bits of the output
     std::vector<int> custom;  ///< empty for a shipped profile; else all numbers as given, e.g. F,S,K,O for `bps`
 
     bool shipped() const { return custom.empty(); }

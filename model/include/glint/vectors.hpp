@@ -17,8 +17,8 @@ struct TestVector {
 };
 
 /// The corners that every vector set starts with: n at 0, 1, 2, 8, 50, 1000 and 1023, each with the ends of the port,
-/// of the legal range and one beyond, 1/2, the neighbours of 0 and 1, and the codes on both sides of the sign changes of
-/// f_bps near s = 0.008 and 0.126.
+/// of the legal range and one beyond, 1/2, the neighbours of 0 and 1, and the codes on both sides of the sign changes
+/// of f_bps near s = 0.008 and 0.126.
 std::vector<TestVector> corner_vectors(const GoldenModel& model);
 
 /// The corners, then random inputs up to `count` in all: seven in eight legal, one in eight anything that the ports can
