@@ -1,5 +1,5 @@
-// The constants of `bps` on their way to rtl/ and hls/: one Verilog wrapper for the core, one for its AXI4-Stream form,
-// one HLS header.
+// The constants of `bps` on their way to rtl/, hls/ and proofs/: one Verilog wrapper for the core, one for its
+// AXI4-Stream form, one HLS header, one Gappa script.
 
 #include <fmt/format.h>
 
@@ -167,6 +167,7 @@ std::vector<GeneratedFile> emit_bps(const Profile& profile) {
         {GeneratedFile::Target::verilog, fmt::format("glint_bps_{}.v", profile.name), core(profile, f)},
         {GeneratedFile::Target::verilog, fmt::format("glint_bps_axis_{}.v", profile.name), axis(profile, f)},
         {GeneratedFile::Target::hls, fmt::format("glint_bps_{}_constants.hpp", profile.name), kernel(profile, f)},
+        {GeneratedFile::Target::proof, fmt::format("glint_bps_{}.g", profile.name), bps_gappa_script(profile)},
     };
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <string>
 
 #include "glint/emit.hpp"
 #include "glint/golden.hpp"
@@ -24,7 +25,12 @@ BpsFormat bps_format(const Profile& profile);
 /// Throws Error as bps_format does.
 std::unique_ptr<GoldenModel> make_bps(const Profile& profile);
 
-/// The Verilog wrappers and the HLS header with the constants of a profile. Throws Error as bps_format does.
+/// The Gappa script that bounds the rounding error and the range of every intermediate (proofs/gappa/). Throws Error as
+/// bps_format does.
+std::string bps_gappa_script(const Profile& profile);
+
+/// The Verilog wrappers, the HLS header and the Gappa script with the constants of a profile. Throws Error as bps_format
+/// does.
 std::vector<GeneratedFile> emit_bps(const Profile& profile);
 
 }  // namespace glint
