@@ -23,6 +23,12 @@ std::string bps_gappa_script(const Profile& profile) {
 # profile: {name}
 # F, S, K, O: {F}, {S}, {K}, {O}
 
+# Every improvement of an interval counts, however small: bounds then do not depend on the order in which Gappa looks.
+#@-Echange-threshold=0
+# Gappa checks each equation below as algebra, for D other than 0, and warns of that; where it divides by D, in that of s,
+# D <> 0 is asked for, and proven.
+#@-Wno-null-denominator
+
 @floor_S = fixed<-{S}, dn>;
 @rnd_K = fixed<-{K}, nu>;
 @rnd_O = fixed<-{O}, nu>;
