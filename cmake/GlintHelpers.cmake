@@ -2,3 +2,22 @@
 function(glint_own_code target)
   target_compile_options(${target} PRIVATE -Wall -Wextra -Wconversion $<$<BOOL:${GLINT_WERROR}>:-Werror>)
 endfunction()
+
+# glint_generated_verilog(out rtl lobe profile): the folder with the wrappers of a profile. Those of the shipped profiles
+# are committed; those of a custom one are emitted now, by a `glint` built for the purpose.
+function(glint_generated_verilog out rtl lobe profile)
+  if(NOT profile MATCHES ",")
+    set(${out} ${rtl}/generated PARENT_SCOPE)
+    return()
+  endif()
+  set(tool ${PROJECT_BINARY_DIR}/emit-tool)
+  if(NOT EXISTS ${tool}/glint)
+    message(STATUS "Building glint for the wrappers of custom profiles")
+    execute_process(COMMAND ${CMAKE_COMMAND} -S ${PROJECT_SOURCE_DIR} -B ${tool} -DGLINT_COSIM=OFF -DGLINT_TESTS=OFF
+      -DCMAKE_CXX_COMPILER=${CMAKE_CXX_COMPILER} -DCMAKE_BUILD_TYPE=Release OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
+  endif()
+  execute_process(COMMAND ${CMAKE_COMMAND} --build ${tool} --target glint-cli OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
+  execute_process(COMMAND ${tool}/glint emit --lobe ${lobe} --profile ${profile} --target verilog
+    -o ${PROJECT_BINARY_DIR}/generated OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
+  set(${out} ${PROJECT_BINARY_DIR}/generated PARENT_SCOPE)
+endfunction()

@@ -11,7 +11,7 @@
 module glint_divider #(
     parameter X_W = 34,  // dividend bits; Q_W < X_W <= Y_W + Q_W
     parameter Y_W = 28,  // divisor bits
-    parameter Q_W = 16   // quotient bits = stages
+    parameter Q_W = 16   // quotient bits = stages, at least 2
 ) (
     input  wire           clk_i,
     input  wire           enable_i,

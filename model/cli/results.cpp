@@ -1,6 +1,8 @@
 #include "results.hpp"
 
+#include <algorithm>
 #include <filesystem>
+#include <initializer_list>
 
 #include <fmt/format.h>
 
@@ -91,40 +93,46 @@ nlohmann::ordered_json to_json(const std::vector<RunResult>& runs, const std::st
 }
 
 std::string results_table(const std::vector<RunResult>& runs, bool hardware) {
+    const bool accuracy = std::any_of(runs.begin(), runs.end(), [](const RunResult& run) { return run.accuracy; });
     std::vector<std::string> heading{"lobe", "profile"};
-    if (hardware) heading.insert(heading.end(), {"unit", "test"});
-    heading.emplace_back("inputs");
-    if (hardware) heading.emplace_back("mismatches");
-    heading.insert(heading.end(), {"rounding/ulp", "error", "at", "exact cos", "epicentre", "at"});
-    if (hardware) heading.insert(heading.end(), {"latency", "per clock"});
-    heading.emplace_back("M/s");
+    const auto add = [](std::vector<std::string>& row, bool wanted, std::initializer_list<std::string> cells) {
+        if (wanted) row.insert(row.end(), cells);
+    };
+    add(heading, hardware, {"unit", "test"});
+    add(heading, true, {"inputs"});
+    add(heading, hardware, {"mismatches"});
+    add(heading, accuracy, {"rounding/ulp", "error", "at", "exact cos", "epicentre", "at"});
+    add(heading, hardware, {"latency", "per clock"});
+    add(heading, true, {"M/s"});
     std::vector<std::vector<std::string>> rows{heading};
     for (const RunResult& run : runs) {
         std::vector<std::string> row{run.lobe, run.profile};
-        if (hardware) row.insert(row.end(), {run.unit, run.test});
-        row.push_back(grouped(run.inputs));
-        if (hardware) row.push_back(run.hardware ? grouped(run.hardware->mismatches) : "-");
+        add(row, hardware, {run.unit, run.test});
+        add(row, true, {grouped(run.inputs)});
+        add(row, hardware, {run.hardware ? grouped(run.hardware->mismatches) : "-"});
         if (run.accuracy) {
             const Accuracy& a = run.accuracy->total;
-            row.insert(row.end(),
-                       {fmt::format("{:.4f}", a.rounding.value), fmt::format("{:.5f}", a.approximation.value),
-                        place(a.approximation, run.F), fmt::format("{:.5f}", a.approximation_exact.value),
-                        a.epicentre.seen() ? fmt::format("{:.3f} %", 100.0 * a.epicentre.value) : "-",
-                        place(a.epicentre, run.F)});
+            add(row, true,
+                {fmt::format("{:.4f}", a.rounding.value), fmt::format("{:.5f}", a.approximation.value),
+                 place(a.approximation, run.F), fmt::format("{:.5f}", a.approximation_exact.value),
+                 a.epicentre.seen() ? fmt::format("{:.3f} %", 100.0 * a.epicentre.value) : "-",
+                 place(a.epicentre, run.F)});
         } else {
-            row.insert(row.end(), 6, "-");
+            add(row, accuracy, {"-", "-", "-", "-", "-", "-"});
         }
-        if (hardware) {
-            row.push_back(run.hardware ? fmt::format("{}", run.hardware->latency_cycles) : "-");
-            row.push_back(run.hardware ? fmt::format("{:.3f}", run.hardware->results_per_cycle) : "-");
-        }
-        row.push_back(fmt::format("{:.1f}", run.seconds > 0 ? static_cast<double>(run.inputs) / run.seconds / 1e6 : 0));
+        // Both are measured at full speed only.
+        const bool timed = run.hardware && run.hardware->latency_cycles > 0;
+        add(row, hardware,
+            {timed ? fmt::format("{}", run.hardware->latency_cycles) : "-",
+             timed ? fmt::format("{:.3f}", run.hardware->results_per_cycle) : "-"});
+        add(row, true,
+            {fmt::format("{:.1f}", run.seconds > 0 ? static_cast<double>(run.inputs) / run.seconds / 1e6 : 0.0)});
         rows.push_back(row);
     }
-    return table(rows) +
-           "rounding: against the lobe's real function; error, epicentre: against c^n at the rounded cosine "
-           "(epicentre:\n"
-           "relative, n >= 2); exact cos: against c^n at the worse end of what rounds to the cosine's code\n";
+    const std::string legend =
+        "rounding: against the lobe's real function; error, epicentre: against c^n at the rounded cosine (epicentre:\n"
+        "relative, n >= 2); exact cos: against c^n at the worse end of what rounds to the cosine's code\n";
+    return table(rows) + (accuracy ? legend : "");
 }
 
 std::string to_csv(const std::vector<RunResult>& runs) {

@@ -19,14 +19,29 @@ struct Extremes {
 };
 
 Extremes extremes(const double* values, std::size_t count) {
-    double largest = -1.0;
-    double squares = 0.0;
-#pragma omp simd reduction(max : largest) reduction(+ : squares)
-    for (std::size_t i = 0; i < count; ++i) {
-        largest = values[i] > largest ? values[i] : largest;
-        squares += values[i] * values[i];
+    // Lanes written out: without licence to reorder sums, compilers do not make them by themselves.
+    constexpr std::size_t lanes = 8;
+    double largest[lanes];
+    double squares[lanes] = {};
+    std::fill_n(largest, lanes, -1.0);
+    std::size_t i = 0;
+    for (; i + lanes <= count; i += lanes) {
+        for (std::size_t lane = 0; lane < lanes; ++lane) {
+            const double value = values[i + lane];
+            largest[lane] = value > largest[lane] ? value : largest[lane];
+            squares[lane] += value * value;
+        }
     }
-    return {largest, squares};
+    for (; i < count; ++i) {
+        largest[0] = std::max(largest[0], values[i]);
+        squares[0] += values[i] * values[i];
+    }
+    Extremes out;
+    for (std::size_t lane = 0; lane < lanes; ++lane) {
+        out.largest = std::max(out.largest, largest[lane]);
+        out.squares += squares[lane];
+    }
+    return out;
 }
 
 void update(Worst& worst, double largest, const std::vector<double>& values, int n,

@@ -1,5 +1,6 @@
 #include "glint/profile.hpp"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 
@@ -8,6 +9,12 @@
 #include "glint/error.hpp"
 
 namespace glint {
+
+std::string Profile::argument() const {
+    std::string out = name;
+    std::replace(out.begin(), out.end(), '_', ',');
+    return out;
+}
 
 std::span<const Profile> shipped_profiles() {
     static const std::array<Profile, 3> profiles{{{"p8", 16, 8, {}}, {"p12", 18, 12, {}}, {"p16", 20, 16, {}}}};

@@ -20,6 +20,8 @@ struct Profile {
     std::vector<int> custom;  ///< empty for a shipped profile; else all numbers as given, e.g. F,S,K,O for `bps`
 
     bool shipped() const { return custom.empty(); }
+    /// As on the command line: "p12", or the numbers joined by ','.
+    std::string argument() const;
     /// The cosine code of 1.0: 2^F.
     int one() const { return 1 << F; }
 };

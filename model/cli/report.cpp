@@ -1,0 +1,43 @@
+#include "report.hpp"
+
+#include <algorithm>
+#include <filesystem>
+
+#include <fmt/format.h>
+
+#include "common.hpp"
+#include "glint/error.hpp"
+#include "report_page.hpp"
+
+namespace glint::cli {
+
+int report(const ReportOptions& options) {
+    if (options.results.empty()) throw Error("--results names no file: one or more JSON result files are needed");
+    std::vector<ResultFile> files;
+    std::string command = "glint report --results";
+    for (const std::string& path : options.results) {
+        files.push_back(read_results(path));
+        command += " " + path;
+    }
+    command += " -o " + options.output;
+
+    const std::vector<MeasuredRun> measured = measured_runs(files);
+    PlotData plots{curves(50), error_map("p12"), schlick_errors(), {}};
+    std::copy_if(measured.begin(), measured.end(), std::back_inserter(plots.measured),
+                 [](const MeasuredRun& run) { return !run.accuracy().rows.empty(); });
+    const Pictures pictures = draw(plots);
+
+    const std::filesystem::path folder = options.output;
+    make_folder(folder);
+    const auto write = [&](const std::string& name, const std::string& text) {
+        write_file(folder / name, text);
+        fmt::print("{}\n", (folder / name).string());
+    };
+    for (const std::string_view theme : themes) {
+        if (!plots.measured.empty()) write(overview_file(theme), pictures.at(overview_file(theme)));
+    }
+    write("index.html", page({files, measured, plots, pictures, command}));
+    return success;
+}
+
+}  // namespace glint::cli

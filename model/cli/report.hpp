@@ -1,0 +1,18 @@
+// `glint report`: measured results as one page that needs nothing else, and as pictures for the README.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace glint::cli {
+
+struct ReportOptions {
+    std::vector<std::string> results;  ///< JSON files of `glint-cosim --json` and `glint sweep --json`
+    std::string output;                ///< folder for index.html and the pictures
+};
+
+/// Writes output/index.html, and output/overview-light.svg and -dark.svg when the results hold errors per n.
+/// Returns the exit status. Throws Error: results that cannot be used, gnuplot missing or failing, files not writable.
+int report(const ReportOptions& options);
+
+}  // namespace glint::cli

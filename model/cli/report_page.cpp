@@ -1,0 +1,412 @@
+#include "report_page.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace glint::cli {
+namespace {
+
+constexpr std::string_view style = R"(
+:root { color-scheme: light dark; --text: #1f2328; --muted: #59636e; --page: #ffffff; --line: #d5dbe1;
+  --soft: #f5f7f9; --accent: #0b5cad; --bad: #b3261e; }
+@media (prefers-color-scheme: dark) {
+  :root { --text: #e6edf3; --muted: #9aa4af; --page: #0d1117; --line: #30363d; --soft: #151b23; --accent: #6cb6ff;
+    --bad: #ff8a80; }
+}
+* { box-sizing: border-box; }
+body { margin: 0 auto; max-width: 60rem; padding: 1.5rem 1.25rem 4rem; background: var(--page); color: var(--text);
+  font: 1rem/1.55 system-ui, -apple-system, "Segoe UI", Roboto, "Helvetica Neue", Arial, sans-serif;
+  overflow-wrap: break-word; }
+h1 { margin: .5rem 0 .75rem; font-size: 1.9rem; line-height: 1.2; letter-spacing: -.01em; }
+h2 { margin: 3rem 0 .75rem; padding-top: .75rem; border-top: 1px solid var(--line); font-size: 1.3rem; }
+p, dl { max-width: 46rem; }
+a { color: var(--accent); }
+code { font: .875em/1.45 ui-monospace, SFMono-Regular, Menlo, Consolas, monospace; }
+sup, sub { line-height: 0; }
+dt { margin-top: .6rem; font-weight: 600; }
+dd { margin: 0; }
+table { width: 100%; border-collapse: collapse; font-size: .875rem; font-variant-numeric: tabular-nums; }
+th, td { padding: .45rem .6rem; border-bottom: 1px solid var(--line); text-align: left; vertical-align: top; }
+thead th { border-bottom: 2px solid var(--line); color: var(--muted); font-weight: 600; vertical-align: bottom; }
+td.number, th.number { text-align: right; white-space: nowrap; }
+tbody th { white-space: nowrap; }
+td small { display: block; color: var(--muted); font-size: .78rem; }
+.bad { color: var(--bad); font-weight: 700; }
+p.bad { padding: .6rem .8rem; border: 2px solid; border-radius: .4rem; }
+figure { margin: 1.5rem 0 0; }
+figure img { display: block; width: 100%; height: auto; }
+figcaption { max-width: 46rem; margin-top: .5rem; color: var(--muted); font-size: .9rem; }
+figcaption p { margin: .35rem 0; }
+.commands { padding-left: 2.2rem; font-size: .9rem; }
+.commands li { margin: .3rem 0; }
+footer { margin-top: 3rem; color: var(--muted); font-size: .9rem; }
+@media (max-width: 46rem) {
+  h1 { font-size: 1.55rem; }
+  thead { display: none; }
+  tbody tr { display: block; margin: 0 0 1rem; padding: .5rem .8rem; border: 1px solid var(--line);
+    border-radius: .5rem; background: var(--soft); }
+  tbody th, tbody td, td.number { display: flex; justify-content: space-between; gap: 1rem; padding: .25rem 0;
+    border: 0; text-align: right; white-space: normal; }
+  tbody th { font-size: 1rem; }
+  td::before { content: attr(data-label); flex: none; max-width: 45%; color: var(--muted); text-align: left; }
+}
+)";
+
+std::string escaped(std::string_view text) {
+    std::string out;
+    for (const char c : text) {
+        switch (c) {
+            case '&':
+                out += "&amp;";
+                break;
+            case '<':
+                out += "&lt;";
+                break;
+            case '>':
+                out += "&gt;";
+                break;
+            case '"':
+                out += "&quot;";
+                break;
+            default:
+                out += c;
+        }
+    }
+    return out;
+}
+
+std::string base64(std::string_view bytes) {
+    constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    std::string out;
+    out.reserve((bytes.size() + 2) / 3 * 4);
+    for (std::size_t i = 0; i < bytes.size(); i += 3) {
+        const std::size_t count = std::min<std::size_t>(3, bytes.size() - i);
+        unsigned group = 0;
+        for (std::size_t k = 0; k < 3; ++k) {
+            group = group << 8 | (k < count ? static_cast<unsigned char>(bytes[i + k]) : 0U);
+        }
+        for (std::size_t k = 0; k < 4; ++k) out += k <= count ? digits[group >> (18 - 6 * k) & 63U] : '=';
+    }
+    return out;
+}
+
+/// 268174335 as 268,174,335.
+std::string grouped(std::uint64_t number) {
+    std::string out = fmt::format("{}", number);
+    for (std::size_t i = out.size(); i > 3; i -= 3) out.insert(i - 3, 1, ',');
+    return out;
+}
+
+std::string place(const Worst& worst, int F) {
+    return fmt::format("n = {}, cos {:.6f} (code {})", worst.n, std::ldexp(worst.cos_code, -F), worst.cos_code);
+}
+
+/// What a table's row is made of. The label stands in the heading, and before the value on narrow screens.
+struct Cell {
+    std::string_view label;
+    std::string html;
+    bool number = true;
+};
+
+std::string table_html(const std::vector<std::vector<Cell>>& rows) {
+    std::string out = "<table>\n<thead><tr>";
+    for (const Cell& cell : rows.front()) {
+        out += fmt::format("<th scope=\"col\"{}>{}</th>", cell.number ? " class=\"number\"" : "", cell.label);
+    }
+    out += "</tr></thead>\n<tbody>\n";
+    for (const std::vector<Cell>& row : rows) {
+        out += "<tr>";
+        for (const Cell& cell : row) {
+            if (&cell == &row.front()) {
+                out += fmt::format("<th scope=\"row\">{}</th>", cell.html);
+            } else {
+                out += fmt::format("<td data-label=\"{}\"{}><span>{}</span></td>", cell.label,
+                                   cell.number ? " class=\"number\"" : "", cell.html);
+            }
+        }
+        out += "</tr>\n";
+    }
+    return out + "</tbody>\n</table>\n";
+}
+
+class Page {
+public:
+    explicit Page(const PageData& data) : data_(data) {}
+
+    std::string html() const {
+        std::string out =
+            "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+            "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
+            "<meta http-equiv=\"Content-Security-Policy\" "
+            "content=\"default-src 'none'; img-src data:; style-src 'unsafe-inline'\">\n"
+            "<title>Glint: measured results</title>\n<style>";
+        out += style;
+        out += "</style>\n</head>\n<body>\n";
+        out += introduction() + accuracy_section() + runs_section() + plots_section() + commands_section();
+        return out + "</body>\n</html>\n";
+    }
+
+private:
+    /// A reference to the command that made the runs of a file.
+    std::string source(const ResultFile& file) const {
+        const auto number = &file - data_.files.data() + 1;
+        return fmt::format("<a href=\"#command-{0}\">[{0}]</a>", number);
+    }
+
+    std::string introduction() const {
+        std::size_t runs = 0;
+        std::size_t failed = 0;
+        for (const ResultFile& file : data_.files) {
+            runs += file.runs.size();
+            failed +=
+                static_cast<std::size_t>(std::count_if(file.runs.begin(), file.runs.end(), [](const RunResult& run) {
+                    return run.hardware && run.hardware->mismatches > 0;
+                }));
+        }
+        std::string out =
+            "<header>\n<h1>Glint: measured results</h1>\n"
+            "<p>Glint computes specular highlights on FPGAs. A lobe such as <code>bps</code> stands in for the "
+            "Blinn-Phong highlight c<sup>n</sup>; c is the cosine of the angle between the surface normal and the "
+            "half vector, n the specular exponent. A golden model states every bit of the fixed-point result, and the "
+            "Verilog has to match it bit for bit. This page shows how far the results are from the real functions, "
+            "and which runs held the hardware against the model. Every figure says at which input its worst case lies, "
+            "how many inputs were tried, and which command measured it.</p>\n";
+        if (failed > 0) {
+            out += fmt::format("<p class=\"bad\">{} of {} runs found results that differ from the golden model.</p>\n",
+                               failed, runs);
+        }
+        return out + "</header>\n";
+    }
+
+    std::string accuracy_section() const {
+        std::string out =
+            "<h2 id=\"accuracy\">Errors</h2>\n<dl>\n"
+            "<dt>Rounding error</dt><dd>The fixed-point result against the lobe's own real function at the same input "
+            "code, in units of the output's last bit (ulp). Below 1 ulp the result is faithful.</dd>\n"
+            "<dt>Approximation error</dt><dd>The fixed-point result against c<sup>n</sup>, absolute; a full highlight "
+            "is 1. <em>At the rounded cosine</em>, c is the value of the input code. <em>At the exact cosine</em>, it "
+            "is the worse end of all cosines that round to the code, which adds what the input's own rounding costs."
+            "</dd>\n<dt>Epicentre error</dt><dd>The approximation error at the rounded cosine, relative to "
+            "c<sup>n</sup>, in the epicentre zone: from the highlight's centre to the inflection point of "
+            "cos<sup>n</sup>, for n of 2 and more.</dd>\n</dl>\n";
+        if (data_.measured.empty()) return out + "<p>None of the result files holds measured errors.</p>\n";
+        std::vector<std::vector<Cell>> rows;
+        for (const MeasuredRun& measured : data_.measured) {
+            rows.push_back(accuracy_cells(measured, measured.accuracy().total));
+            if (const Accuracy part = from_eight(measured.accuracy()); part.inputs > 0) {
+                rows.push_back(accuracy_cells(measured, part));
+            }
+        }
+        return out + table_html(rows);
+    }
+
+    /// The exponents for which the lobe `bps` was published, when the rows hold them and others.
+    static Accuracy from_eight(const SweepResult& accuracy) {
+        Accuracy out;
+        if (accuracy.rows.empty() || accuracy.rows.front().n >= 8) return out;
+        for (const AccuracyRow& row : accuracy.rows) {
+            if (row.n >= 8) out.merge(row.accuracy);
+        }
+        return out;
+    }
+
+    std::vector<Cell> accuracy_cells(const MeasuredRun& measured, const Accuracy& a) const {
+        const int F = measured.run->F;
+        const auto with_place = [F](const std::string& value, const Worst& worst) {
+            return fmt::format("{}<small>n = {}, cos {:.6f}<br>code {}</small>", value, worst.n,
+                               std::ldexp(worst.cos_code, -F), worst.cos_code);
+        };
+        const bool total = &a == &measured.accuracy().total;
+        std::string exponents = "all";
+        if (!measured.accuracy().rows.empty()) {
+            exponents = fmt::format("{} to {}", total ? measured.accuracy().rows.front().n : 8,
+                                    measured.accuracy().rows.back().n);
+        }
+        return {
+            {"profile", measured.name(), false},
+            {"n", exponents},
+            {"inputs", grouped(a.inputs) + (total && measured.run->exhaustive ? "<small>every legal one</small>" : "")},
+            {"rounding, ulp", with_place(fmt::format("{:.4f}", a.rounding.value), a.rounding)},
+            {"approximation, rounded cosine",
+             with_place(fmt::format("{:.5f}", a.approximation.value), a.approximation)},
+            {"approximation, exact cosine",
+             with_place(fmt::format("{:.5f}", a.approximation_exact.value), a.approximation_exact)},
+            {"epicentre, relative",
+             a.epicentre.seen() ? with_place(fmt::format("{:.3f} %", 100 * a.epicentre.value), a.epicentre) : "–"},
+            {"from", source(*measured.file)}};
+    }
+
+    std::string runs_section() const {
+        std::string out =
+            "<h2 id=\"runs\">Runs</h2>\n<p>Units: <code>core</code> and <code>axis</code> are the simulated Verilog, "
+            "with plain handshakes and with AXI4-Stream; <code>model</code> is the golden model alone, which has no "
+            "clock and nothing to mismatch. A mismatch is a result that differs from the golden model in any bit. "
+            "Vectors per second is the speed of the run itself, on the machine that ran it.</p>\n";
+        std::vector<std::vector<Cell>> rows;
+        for (const ResultFile& file : data_.files) {
+            for (const RunResult& run : file.runs) rows.push_back(run_cells(file, run));
+        }
+        return out + table_html(rows);
+    }
+
+    std::vector<Cell> run_cells(const ResultFile& file, const RunResult& run) const {
+        std::vector<Cell> out{{"profile", run.lobe + " " + run.profile, false}, {"unit", run.unit, false}};
+        std::string test = run.test;
+        if (run.hardware && run.test != "reset") {
+            test += fmt::format("<small>stall probability {:g}, seed {}</small>", run.hardware->stall_probability,
+                                run.hardware->seed);
+        }
+        out.push_back({"test", test, false});
+        out.push_back({"inputs", grouped(run.inputs) + (run.exhaustive ? "<small>every legal one</small>" : "")});
+        if (run.hardware) {
+            const HardwareResult& hardware = *run.hardware;
+            const bool bad = hardware.mismatches > 0;
+            out.push_back(
+                {"mismatches",
+                 bad ? fmt::format("<span class=\"bad\">{}</span>", grouped(hardware.mismatches)) : std::string("0")});
+            out.push_back(
+                {"latency, cycles", hardware.latency_cycles > 0 ? fmt::format("{}", hardware.latency_cycles) : "–"});
+            out.push_back({"results per cycle",
+                           hardware.results_per_cycle > 0 ? fmt::format("{:.3f}", hardware.results_per_cycle) : "–"});
+        } else {
+            for (const std::string_view label : {"mismatches", "latency, cycles", "results per cycle"}) {
+                out.push_back({label, "–"});
+            }
+        }
+        out.push_back(
+            {"vectors per second",
+             run.seconds > 0 ? fmt::format("{:.2f} M", static_cast<double>(run.inputs) / run.seconds / 1e6) : "–"});
+        out.push_back({"from", source(file)});
+        return out;
+    }
+
+    std::string image_source(const std::string& file) const {
+        const std::string_view type = file.ends_with(".png") ? "image/png" : "image/svg+xml";
+        return fmt::format("data:{};base64,{}", type, base64(data_.pictures.at(file)));
+    }
+
+    /// The browser shows one of the four versions: dark or light, narrow or wide.
+    std::string figure(const Plot& plot, const std::string& alternative, const std::string& caption) const {
+        std::string out = "<figure>\n<picture>\n";
+        for (const std::string_view theme : {"dark", "light"}) {
+            for (const std::string_view layout : {"narrow", "wide"}) {
+                if (theme == "light" && layout == "wide") continue;
+                std::string media = theme == "dark" ? "(prefers-color-scheme: dark)" : "";
+                if (layout == "narrow") media += media.empty() ? "(max-width: 40rem)" : " and (max-width: 40rem)";
+                out +=
+                    fmt::format("<source media=\"{}\" srcset=\"{}\">\n", media, image_source(plot.file(theme, layout)));
+            }
+        }
+        out += fmt::format("<img alt=\"{}\" src=\"{}\">\n</picture>\n<figcaption>{}</figcaption>\n</figure>\n",
+                           escaped(alternative), image_source(plot.file("light", "wide")), caption);
+        return out;
+    }
+
+    std::string own_command() const {
+        return fmt::format("<p>Computed by <code>{}</code></p>", escaped(data_.command));
+    }
+
+    std::string plots_section() const {
+        const Curves& curves = data_.plots.curves;
+        const ErrorMap& map = data_.plots.map;
+        std::string out = fmt::format("<h2 id=\"shape\">The highlight at n = {}</h2>\n", curves.n);
+        out +=
+            figure(curves_plot,
+                   fmt::format("The highlight over the angle at n = {}: the curve of bps lies close to Blinn-Phong's "
+                               "c^n, Schlick's falls off too slowly.",
+                               curves.n),
+                   fmt::format("<p>The real functions, in double: Blinn-Phong's c<sup>n</sup>, Schlick's "
+                               "f<sub>s</sub>, and f<sub>bps</sub>, a cubic polynomial in f<sub>s</sub>. Largest "
+                               "absolute error against c<sup>n</sup> at this n, over {} angles from 0° to 90°: "
+                               "f<sub>s</sub> {:.4f} at {:.2f}°, f<sub>bps</sub> {:.4f} at {:.2f}°.</p>{}",
+                               grouped(angles), curves.schlick.value, curves.schlick.degrees, curves.bps.value,
+                               curves.bps.degrees, own_command()));
+        out += fmt::format("<h2 id=\"map\">Where {} errs</h2>\n", map.profile.name);
+        out += figure(
+            map_plot,
+            "Map of the signed error over the exponent and the angle. Above n = 10 it forms bands along the "
+            "highlight's "
+            "width, within 0.03; below n = 8 the bands are deeper.",
+            fmt::format("<p>Signed approximation error of golden <code>bps</code> at <code>{}</code> at the rounded "
+                        "cosine, result minus c<sup>n</sup>; both axes are logarithmic. The colours end at ±{:g}. The "
+                        "broken line is the edge of the epicentre zone. Largest absolute error in the map: {:.4f} at "
+                        "{}; inputs tried: {}.</p>{}",
+                        map.profile.name, map_scale, map.worst.value, place(map.worst, map.profile.F),
+                        grouped(map.inputs), own_command()));
+        if (data_.plots.measured.empty()) {
+            return out +
+                   "<p>None of the result files holds errors per n, so there are no plots over n. Both "
+                   "<code>glint sweep --json</code> and <code>glint-cosim --json</code> measure them.</p>\n";
+        }
+        out += "<h2 id=\"approximation\">Approximation error over n</h2>\n";
+        out += figure(approximation_plot,
+                      "Largest absolute error against c^n over the exponent, at the rounded and at the exact cosine, "
+                      "for Schlick's function and for every profile.",
+                      approximation_caption());
+        out += "<h2 id=\"rounding\">Rounding error over n</h2>\n";
+        out += figure(rounding_plot,
+                      "Largest rounding error in ulp over the exponent for every profile, with a line at 1 ulp.",
+                      rounding_caption());
+        return out;
+    }
+
+    std::string approximation_caption() const {
+        const std::vector<AngleError>& schlick = data_.plots.schlick;
+        const auto worst = std::max_element(schlick.begin(), schlick.end(),
+                                            [](const AngleError& a, const AngleError& b) { return a.value < b.value; });
+        std::string out =
+            "<p>Largest absolute error against c<sup>n</sup> at each n, of the fixed-point results.</p><ul>";
+        for (const MeasuredRun& measured : data_.plots.measured) {
+            const Accuracy& total = measured.accuracy().total;
+            const int F = measured.run->F;
+            out += fmt::format(
+                "<li>{}: at the rounded cosine {:.5f} at {}; at the exact cosine {:.5f} at {}; inputs "
+                "tried: {}. <code>{}</code></li>",
+                measured.name(), total.approximation.value, place(total.approximation, F),
+                total.approximation_exact.value, place(total.approximation_exact, F), grouped(total.inputs),
+                escaped(measured.file->command));
+        }
+        out += fmt::format(
+            "<li>f<sub>s</sub>, the real function in double, for comparison: {:.5f} at n = {}, {:.2f}°; "
+            "inputs tried: {}. <code>{}</code></li></ul>",
+            worst->value, worst - schlick.begin() + 1, worst->degrees,
+            grouped(static_cast<std::uint64_t>(angles) * schlick.size()), escaped(data_.command));
+        return out;
+    }
+
+    std::string rounding_caption() const {
+        std::string out =
+            "<p>Largest error at each n against the lobe's own real function at the same input code.</p><ul>";
+        for (const MeasuredRun& measured : data_.plots.measured) {
+            const Accuracy& total = measured.accuracy().total;
+            out += fmt::format("<li>{}: {:.4f} ulp at {}; inputs tried: {}. <code>{}</code></li>", measured.name(),
+                               total.rounding.value, place(total.rounding, measured.run->F), grouped(total.inputs),
+                               escaped(measured.file->command));
+        }
+        return out + "</ul>";
+    }
+
+    std::string commands_section() const {
+        std::string out =
+            "<h2 id=\"commands\">Commands</h2>\n<p>Each of them wrote one file of results.</p>\n<ol "
+            "class=\"commands\">\n";
+        for (std::size_t i = 0; i < data_.files.size(); ++i) {
+            const ResultFile& file = data_.files[i];
+            out += fmt::format("<li id=\"command-{}\"><code>{}</code> ({} {})</li>\n", i + 1, escaped(file.command),
+                               escaped(file.tool), escaped(file.version));
+        }
+        out += "</ol>\n";
+        return out + fmt::format("<footer><p>This page: <code>{}</code> (glint {})</p></footer>\n",
+                                 escaped(data_.command), GLINT_VERSION);
+    }
+
+    const PageData& data_;
+};
+
+}  // namespace
+
+std::string page(const PageData& data) { return Page(data).html(); }
+
+}  // namespace glint::cli

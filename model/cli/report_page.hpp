@@ -1,0 +1,21 @@
+// The page of the report, as one HTML text that refers to nothing outside itself.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "report_plots.hpp"
+
+namespace glint::cli {
+
+struct PageData {
+    const std::vector<ResultFile>& files;
+    std::vector<MeasuredRun> measured;
+    const PlotData& plots;
+    const Pictures& pictures;
+    std::string command;  ///< the command line of the report itself
+};
+
+std::string page(const PageData& data);
+
+}  // namespace glint::cli

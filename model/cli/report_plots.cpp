@@ -1,0 +1,270 @@
+#include "report_plots.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+#include <fmt/format.h>
+
+namespace glint::cli {
+namespace {
+
+/// Colours that stay apart for colour-blind readers and have a contrast of at least 3 : 1 to the page.
+struct Theme {
+    std::string_view name;
+    std::string_view text, axis, grid;
+    std::string_view target, schlick, bps;  // f_b, f_s, f_bps
+    std::string_view runs[4];
+    std::string_view negative, zero, positive, outside;  // of the map
+};
+constexpr Theme light{"light",   "#1f2328", "#6e7781", "#dde2e8",
+                      "#1f2328", "#a8328a", "#0067b1", {"#b06f00", "#0067b1", "#00835f", "#7a4fd0"},
+                      "#1b5faa", "#f6f6f4", "#b34700", "#1f2328"};
+constexpr Theme dark{"dark",    "#e6edf3", "#8b949e", "#2b323b",
+                     "#e6edf3", "#f08fd0", "#58b0f0", {"#f0b23c", "#58b0f0", "#3fcf9f", "#b79bff"},
+                     "#5aa9f5", "#12161c", "#ff9a4d", "#e6edf3"};
+
+struct Layout {
+    std::string_view name;
+    int width;
+    bool wide() const { return name == "wide"; }
+};
+constexpr Layout wide{"wide", 800};
+constexpr Layout narrow{"narrow", 400};
+
+/// The data, once, as blocks that every plot refers to.
+std::string data_blocks(const PlotData& data) {
+    std::string out = "$curves << EOD\n";
+    for (std::size_t i = 0; i < data.curves.points.size(); i += 10) {
+        const Curves::Point& p = data.curves.points[i];
+        out += fmt::format("{:.2f} {:.6f} {:.6f} {:.6f}\n", p.degrees, p.blinn_phong, p.schlick, p.bps);
+    }
+    out += "EOD\n$map << EOD\n";
+    for (std::size_t row = 0; row < data.map.rows; ++row) {
+        for (std::size_t column = 0; column < data.map.columns; ++column) {
+            out += fmt::format("{:.6f} ", data.map.error[row * data.map.columns + column]);
+        }
+        out += '\n';
+    }
+    out += "EOD\n$schlick << EOD\n";
+    for (std::size_t i = 0; i < data.schlick.size(); ++i) {
+        out += fmt::format("{} {:.6g}\n", i + 1, data.schlick[i].value);
+    }
+    out += "EOD\n";
+    for (std::size_t i = 0; i < data.measured.size(); ++i) {
+        out += fmt::format("$run{} << EOD\n", i);
+        for (const AccuracyRow& row : data.measured[i].accuracy().rows) {
+            out += fmt::format("{} {:.6g} {:.6g} {:.6g}\n", row.n, row.accuracy.approximation.value,
+                               row.accuracy.approximation_exact.value, row.accuracy.rounding.value);
+        }
+        out += "EOD\n";
+    }
+    return out;
+}
+
+/// 1, 2 or 5 times a power of ten: the nearest one at most (or at least) `value`.
+double round_down(double value) {
+    const double decade = std::pow(10.0, std::floor(std::log10(value)));
+    for (const double step : {5.0, 2.0}) {
+        if (value >= step * decade) return step * decade;
+    }
+    return decade;
+}
+double round_up(double value) {
+    const double decade = std::pow(10.0, std::floor(std::log10(value)));
+    for (const double step : {1.0, 2.0, 5.0}) {
+        if (value <= step * decade) return step * decade;
+    }
+    return 10.0 * decade;
+}
+
+/// Tics at 1, 2, 5, 10, ... within a range of a logarithmic axis that begins at one of them; at powers of ten alone
+/// when it is long.
+std::string log_tics(double low, double high) {
+    const bool is_long = high / low > 150.0;
+    std::string out = "(";
+    for (double tic = low; tic <= high * 1.0001; tic = round_up(tic * 1.5)) {
+        const double decades = std::log10(tic);
+        if (is_long && std::abs(decades - std::round(decades)) > 1e-6) continue;
+        out += fmt::format("{}'{:g}' {:g}", out.size() > 1 ? ", " : "", tic, tic);
+    }
+    return out + ")";
+}
+
+/// The terminal, and what all plots have in common.
+std::string begin(const std::string& file, const Theme& theme, int width, int height) {
+    std::string out = "reset\nset encoding utf8\n";
+    if (file.ends_with(".png")) {
+        out += fmt::format(
+            "set terminal pngcairo enhanced transparent font 'sans,11' fontscale 2 linewidth 2 size {},{}\n", 2 * width,
+            2 * height);
+    } else {
+        out += fmt::format("set terminal svg enhanced font 'sans-serif,14' size {},{}\n", width, height);
+    }
+    out += fmt::format("set output '{}'\n", file);
+    out += fmt::format("set border 3 linecolor rgb '{}'\n", theme.axis);
+    out += fmt::format("set tics nomirror out scale 0.6 textcolor rgb '{}'\n", theme.text);
+    out += fmt::format("set grid linecolor rgb '{}' linewidth 1 linetype 1\n", theme.grid);
+    out += fmt::format("set key tmargin horizontal left Left reverse samplen 2 textcolor rgb '{}'\n", theme.text);
+    out += fmt::format("set title textcolor rgb '{}'\nset xlabel textcolor rgb '{}'\nset ylabel textcolor rgb '{}'\n",
+                       theme.text, theme.text, theme.text);
+    return out;
+}
+
+std::string end() { return "unset output\n"; }
+
+/// n on a logarithmic axis.
+std::string n_axis(bool wide) {
+    return fmt::format(
+        "set logscale x 10\nset xrange [1:{}]\nset xtics {}\nset mxtics 1\nset xlabel 'specular exponent n'\n", max_n,
+        wide ? "(1, 2, 5, 10, 20, 50, 100, 200, 500, 1000)" : "(1, 3, 10, 30, 100, 300, 1000)");
+}
+
+/// A name in the key: '_' would start a subscript.
+std::string key_name(const std::string& name) {
+    std::string out;
+    for (const char c : name) out += c == '_' ? std::string("\\_") : std::string(1, c);
+    return out;
+}
+
+/// A few rows are shown as points too, since a single one has no line.
+std::string_view line_style(const SweepResult& accuracy) {
+    return accuracy.rows.size() < 50 ? "linespoints pointtype 7 pointsize 0.4" : "lines";
+}
+
+std::string curves_panel(const Theme& theme) {
+    std::string out = "set xrange [0:45]\nset yrange [0:1]\nset xtics 5\nset format x '%g°'\nset ytics 0.2\n";
+    out += "set xlabel 'angle of normal and half vector'\nset ylabel 'highlight' offset 1\n";
+    out += fmt::format(
+        "plot $curves using 1:3 with lines linewidth 2 dashtype (12,5) linecolor rgb '{}' title 'f_s, Schlick', "
+        "$curves using 1:2 with lines linewidth 4 linecolor rgb '{}' title 'c^n, Blinn-Phong', "
+        "$curves using 1:4 with lines linewidth 2 linecolor rgb '{}' title 'f_{{bps}}'\n",
+        theme.schlick, theme.target, theme.bps);
+    return out;
+}
+
+/// Column 2: at the rounded cosine, 3: at the exact one.
+std::string approximation_panel(const PlotData& data, const Theme& theme, bool wide_tics, int column) {
+    double low = 0.1;
+    double high = 0.2;
+    for (const AngleError& error : data.schlick) high = std::max(high, error.value);
+    for (const MeasuredRun& measured : data.measured) {
+        for (const AccuracyRow& row : measured.accuracy().rows) {
+            // A logarithmic axis has no place for 0; f_s at n = 1 is such a point, and left out.
+            if (row.accuracy.approximation.value > 0) low = std::min(low, row.accuracy.approximation.value);
+            high = std::max(high, row.accuracy.approximation_exact.value);
+        }
+    }
+    low = round_down(low);
+    high = round_up(high);
+    std::string out = n_axis(wide_tics);
+    out += fmt::format("set logscale y 10\nset yrange [{:g}:{:g}]\nset ytics {}\nset mytics 1\n", low, high,
+                       log_tics(low, high));
+    out += "set ylabel 'largest absolute error against c^n' offset 1\n";
+    out += fmt::format("plot $schlick using 1:2 with lines linewidth 2 dashtype (12,5) linecolor rgb '{}' title 'f_s'",
+                       theme.schlick);
+    // Curves of one lobe lie almost on each other: the earlier ones are drawn wider and stay visible.
+    const std::size_t count = data.measured.size();
+    for (std::size_t i = 0; i < count; ++i) {
+        out += fmt::format(", $run{} using 1:{} with {} linewidth {:g} linecolor rgb '{}' title '{}'", i, column,
+                           line_style(data.measured[i].accuracy()), 1.5 + 2.5 * static_cast<double>(count - 1 - i),
+                           theme.runs[i % std::size(theme.runs)], key_name(data.measured[i].name()));
+    }
+    return out + "\n";
+}
+
+std::string rounding_panel(const PlotData& data, const Theme& theme, bool wide_tics) {
+    double high = 1.0;
+    for (const MeasuredRun& measured : data.measured) {
+        for (const AccuracyRow& row : measured.accuracy().rows) high = std::max(high, row.accuracy.rounding.value);
+    }
+    std::string out = n_axis(wide_tics);
+    out += fmt::format("set yrange [0.4:{:g}]\nset ytics 0.1\n", high + 0.1);
+    out += "set ylabel 'largest rounding error in ulp' offset 1\n";
+    out += fmt::format("plot 1 with lines linewidth 2 dashtype (12,5) linecolor rgb '{}' title '1 ulp'", theme.text);
+    for (std::size_t i = 0; i < data.measured.size(); ++i) {
+        out += fmt::format(", $run{} using 1:4 with {} linewidth 1.5 linecolor rgb '{}' title '{}'", i,
+                           line_style(data.measured[i].accuracy()), theme.runs[i % std::size(theme.runs)],
+                           key_name(data.measured[i].name()));
+    }
+    return out + "\n";
+}
+
+std::string map_panel(const ErrorMap& map, const Theme& theme) {
+    const double x_step = map.log_n(1);
+    const double y_low = map.log_degrees(0);
+    const double y_step = map.log_degrees(1) - y_low;
+    const double x_high = map.log_n(map.columns - 1);
+    const double y_high = map.log_degrees(map.rows - 1);
+    std::string out = "unset grid\nunset key\nset tics front\n";
+    out += fmt::format("set xrange [0:{:g}]\nset yrange [{:g}:{:g}]\n", x_high, y_low, y_high);
+    out += "set xtics (";
+    for (const int n : {1, 3, 10, 30, 100, 300, 1000})
+        out += fmt::format("{}'{}' {:g}", n == 1 ? "" : ", ", n, std::log10(n));
+    out += ")\nset ytics (";
+    for (const double degrees : {0.3, 1.0, 3.0, 10.0, 30.0, 90.0}) {
+        out += fmt::format("{}'{:g}°' {:g}", degrees == 0.3 ? "" : ", ", degrees, std::log10(degrees));
+    }
+    out += ")\nset xlabel 'specular exponent n'\nset ylabel 'angle of normal and half vector' offset 1\n";
+    out += fmt::format("set palette defined (-1 '{}', 0 '{}', 1 '{}')\n", theme.negative, theme.zero, theme.positive);
+    out += fmt::format("set cbrange [-{0:g}:{0:g}]\n", map_scale);
+    out += "set cbtics ";
+    out += fmt::format(
+        "('≤ −{0:g}' -{0:g}, '−{1:g}' -{1:g}, '0' 0, '+{1:g}' {1:g}, '≥ +{0:g}' {0:g}) offset 0,2.6 scale 0\n",
+        map_scale, map_scale / 2);
+    out += "set tmargin 4\nset colorbox horizontal user origin graph 0, graph 1.03 size graph 1, graph 0.03\n";
+    out += fmt::format(
+        "plot $map matrix using ({:g}*$1):({:g}+{:g}*$2):3 with image, "
+        "log10(atan(1 / sqrt(10**x - 1)) * 180 / pi) with lines linewidth 1.5 dashtype (12,5) linecolor rgb '{}'\n",
+        x_step, y_low, y_step, theme.outside);
+    return out;
+}
+
+std::string multiplot(int rows, int columns) { return fmt::format("set multiplot layout {},{}\n", rows, columns); }
+
+std::string page_plots(const PlotData& data, const Theme& theme, const Layout& layout,
+                       std::vector<std::string>& pictures) {
+    const auto start = [&](const Plot& plot, int height) {
+        pictures.push_back(plot.file(theme.name, layout.name));
+        return begin(pictures.back(), theme, layout.width, height);
+    };
+    const bool wide = layout.wide();
+    std::string out = start(curves_plot, wide ? 400 : 340) + curves_panel(theme) + end();
+    out += start(map_plot, wide ? 480 : 380) + map_panel(data.map, theme) + end();
+    if (data.measured.empty()) return out;
+    out += start(approximation_plot, wide ? 440 : 760) + multiplot(wide ? 1 : 2, wide ? 2 : 1);
+    out += "set title 'at the rounded cosine'\n" + approximation_panel(data, theme, false, 2);
+    out += "set title 'at the exact cosine'\n" + approximation_panel(data, theme, false, 3);
+    out += "unset multiplot\n" + end();
+    out += start(rounding_plot, wide ? 400 : 340) + rounding_panel(data, theme, wide) + end();
+    return out;
+}
+
+std::string overview(const PlotData& data, const Theme& theme, std::vector<std::string>& pictures) {
+    pictures.push_back(overview_file(theme.name));
+    std::string out = begin(pictures.back(), theme, 960, 400) + multiplot(1, 2);
+    out += fmt::format("set title 'Highlight at n = {}'\n", data.curves.n) + curves_panel(theme);
+    out += "set format x\nset title 'Error of the fixed-point results'\n";
+    out += approximation_panel(data, theme, false, 2);
+    return out + "unset multiplot\n" + end();
+}
+
+}  // namespace
+
+std::string Plot::file(std::string_view theme, std::string_view layout) const {
+    return fmt::format("{}-{}-{}.{}", name, theme, layout, extension);
+}
+
+std::string overview_file(std::string_view theme) { return fmt::format("overview-{}.svg", theme); }
+
+Pictures draw(const PlotData& data) {
+    std::string script = data_blocks(data);
+    std::vector<std::string> pictures;
+    for (const Theme& theme : {light, dark}) {
+        for (const Layout& layout : {wide, narrow}) script += page_plots(data, theme, layout, pictures);
+        if (!data.measured.empty()) script += overview(data, theme, pictures);
+    }
+    return run_gnuplot(script, pictures);
+}
+
+}  // namespace glint::cli

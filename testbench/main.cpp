@@ -1,0 +1,129 @@
+// glint-cosim: the Verilog, run by Verilator, against the golden model.
+
+#include <fmt/format.h>
+
+#include "common.hpp"
+#include "cosim.hpp"
+#include "glint/error.hpp"
+#include "junit.hpp"
+#include "results.hpp"
+
+namespace {
+
+using namespace glint;
+using namespace glint::testbench;
+
+struct Options {
+    std::string lobe = "bps";
+    std::string profile = "p8,p12,p16";
+    std::string unit = "core";
+    std::string n = "all";
+    std::string cos = "all";
+    bool exhaustive = false;
+    bool illegal = false;
+    std::uint64_t count = 0;
+    std::uint64_t resets = 0;
+    double stall_probability = 0.0;
+    std::uint64_t seed = 1;
+    unsigned threads = 0;
+    std::string trace;
+    std::string json;
+    std::string junit;
+};
+
+const UnitKind& find_unit(const GoldenModel& model, std::string_view unit) {
+    std::string known;
+    for (const UnitKind& kind : unit_kinds()) {
+        if (kind.lobe == model.lobe() && kind.profile == model.profile().name && kind.unit == unit) return kind;
+        known += fmt::format("{}{} {} {}", known.empty() ? "" : ", ", kind.lobe, kind.profile, kind.unit);
+    }
+    throw Error(fmt::format("unit '{} {} {}' is not in this build, which has: {} (the CMake list GLINT_PROFILES says)",
+                            model.lobe(), model.profile().name, unit, known));
+}
+
+Request make_request(const Options& options, const GoldenModel& model) {
+    Request request;
+    request.n = parse_range(options.n, "--n", 1, max_n);
+    request.cos_code = parse_range(options.cos, "--cos", 0, model.profile().one());
+    request.count = options.count;
+    if (options.illegal) request.test = Test::illegal;
+    if (options.resets > 0) {
+        request.test = Test::reset;
+        request.count = options.resets;
+    }
+    request.stall_probability = options.stall_probability;
+    request.seed = options.seed;
+    request.threads = options.threads;
+    request.trace_file = options.trace;
+    return request;
+}
+
+int cosim(const Options& options, const std::string& command) {
+    // Find everything before anything runs: a mistake in the last name must not cost the time of the first.
+    const auto golden = cli::models(options.lobe, options.profile);
+    std::vector<std::pair<const GoldenModel*, const UnitKind*>> work;
+    for (const auto& model : golden) {
+        for (std::size_t begin = 0; begin <= options.unit.size();) {
+            const std::size_t end = std::min(options.unit.find(',', begin), options.unit.size());
+            work.emplace_back(model.get(), &find_unit(*model, options.unit.substr(begin, end - begin)));
+            begin = end + 1;
+        }
+    }
+    std::vector<cli::RunResult> runs;
+    std::vector<JUnitCase> cases;
+    for (const auto& [model, kind] : work) {
+        const std::string name = fmt::format("{} {} {}", kind->lobe, kind->profile, kind->unit);
+        CosimResult result = cosimulate(*model, *kind, make_request(options, *model), cli::progress_bar(name));
+        cases.push_back({fmt::format("{} {}", name, result.run.test), result.run.seconds, result.complaint});
+        if (!result.complaint.empty()) fmt::print(stderr, "{}: FAILED: {}", name, result.complaint);
+        runs.push_back(std::move(result.run));
+    }
+    if (!options.json.empty()) cli::write_file(options.json, cli::to_json(runs, "glint-cosim", command).dump(1) + "\n");
+    if (!options.junit.empty()) cli::write_file(options.junit, to_junit("glint-cosim", cases));
+    fmt::print("{}", cli::results_table(runs, true));
+    const auto failed = static_cast<std::size_t>(
+        std::count_if(cases.begin(), cases.end(), [](const JUnitCase& c) { return !c.failure.empty(); }));
+    fmt::print("{} of {} runs passed, seed {}\n", cases.size() - failed, cases.size(), options.seed);
+    return failed == 0 ? cli::success : cli::check_failed;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    Options options;
+    CLI::App app{"The Verilog, run by Verilator, against the golden model, bit for bit.", "glint-cosim"};
+    app.add_option("--lobe", options.lobe, "Lobes, separated by commas")->capture_default_str();
+    app.add_option("--profile", options.profile, "Profiles, separated by commas")->capture_default_str();
+    app.add_option("--unit", options.unit, "core, axis or both, separated by a comma")->capture_default_str();
+    CLI::Option* exhaustive = app.add_flag("--exhaustive", options.exhaustive, "Every legal input");
+    CLI::Option* n = app.add_option("--n", options.n, "Exponents: n, first:last, first:last:step or all");
+    CLI::Option* cos = app.add_option("--cos", options.cos, "Cosine codes: a range as for --n, or all (0 to 2^F)");
+    CLI::Option* count = app.add_option("--count", options.count, "So many random legal inputs, the corners first")
+                             ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1} << 40));
+    CLI::Option* illegal = app.add_flag("--illegal", options.illegal,
+                                        "n = 0 with every code; every illegal code with n in {1, 2, 50, 1000, 1023}");
+    CLI::Option* resets = app.add_option("--resets", options.resets, "So many resets in mid-stream")
+                              ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1} << 40));
+    app.add_option("--stall-probability", options.stall_probability,
+                   "Chance of a bubble at the input, and of a stall at the output")
+        ->check(CLI::Range(0.0, 0.99))
+        ->capture_default_str();
+    app.add_option("--seed", options.seed, "Seed of all that is random")->capture_default_str();
+    app.add_option("--threads", options.threads, "Threads; 0: one a core")->capture_default_str();
+    app.add_option("--trace", options.trace, "Waveform (FST) around the first mismatch");
+    app.add_option("--json", options.json, "Write the results, per n and in total");
+    app.add_option("--junit", options.junit, "Write the results as JUnit XML");
+    exhaustive->excludes(n)->excludes(cos)->excludes(count)->excludes(illegal)->excludes(resets);
+    count->excludes(n)->excludes(cos)->excludes(illegal)->excludes(resets);
+    illegal->excludes(n)->excludes(cos)->excludes(resets);
+    resets->excludes(n)->excludes(cos);
+    app.footer("Example: glint-cosim --lobe bps --profile p8,p12,p16 --exhaustive --json cosim.json");
+    const std::string command = cli::command_line(argc, argv);
+    return cli::run(app, argc, argv, [&] {
+        if (exhaustive->count() + n->count() + cos->count() + count->count() + illegal->count() + resets->count() ==
+            0) {
+            throw Error("nothing to run: --exhaustive, --n and --cos, --count, --illegal or --resets");
+        }
+        return cosim(options, command);
+    });
+}

@@ -1,0 +1,72 @@
+// A simulated stream unit, whatever its ports are called: what goes in, what comes out, and when.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace glint::testbench {
+
+/// Inputs of one burst; the i-th carries the tag first_tag + i.
+struct Burst {
+    std::span<const std::uint16_t> n;
+    std::span<const std::int32_t> cos_code;
+    std::uint32_t first_tag = 0;
+};
+
+/// With this probability a clock has a bubble at the input, and, drawn apart, a stall at the output.
+struct Schedule {
+    double stall_probability = 0.0;
+    std::uint64_t seed = 0;
+};
+
+/// What a burst gave. Vectors are as long as the burst; entries past `results` are meaningless.
+struct Outcome {
+    std::vector<std::uint32_t> packed;  ///< y, and clamped in bit 31
+    std::vector<std::uint32_t> tags;    ///< with tlast above it where the unit has one
+    std::vector<std::uint64_t> clock;   ///< of each result, from the start of the burst; with stalls only
+    std::size_t results = 0;            ///< how many came before the unit fell silent; more than the burst: `surplus`
+    bool surplus = false;               ///< a result came that no input had asked for
+    bool unstable = false;              ///< a result changed or was withdrawn while it had to wait
+    std::uint64_t cycles = 0;           ///< clocks of the burst, from the first input to the last result
+    int latency = 0;                    ///< clocks from the first accepted input to the first result
+    std::uint64_t span = 0;             ///< clocks from the first result to the last, both counted
+};
+
+class Unit {
+public:
+    virtual ~Unit() = default;
+
+    /// Holds reset for some clocks.
+    virtual void reset() = 0;
+
+    /// Sends a whole burst and waits until its results are out or the unit has been silent for long.
+    virtual void run(const Burst& burst, const Schedule& schedule, Outcome& outcome) = 0;
+
+    /// Sends the burst at full speed and stops it by a reset of `length` clocks at clock `at`. Returns a complaint if
+    /// the unit answers during reset, or shows after it anything of what was in flight; else an empty text.
+    virtual std::string interrupt(const Burst& burst, std::uint64_t at, int length) = 0;
+
+    /// The tag that the i-th result of a burst has to carry.
+    virtual std::uint32_t expected_tag(std::uint32_t index) const = 0;
+
+    /// Writes a waveform of the clocks first..last of the next burst. Only a unit built for it can; others do nothing.
+    virtual void trace(const std::string& file, std::uint64_t first, std::uint64_t last) = 0;
+};
+
+/// A unit that this build contains.
+struct UnitKind {
+    std::string_view lobe;
+    std::string_view profile;  ///< its name, e.g. "p12" or "18_14_14_12"
+    std::string_view unit;     ///< "core" or "axis"
+    std::unique_ptr<Unit> (*fast)(std::uint64_t seed);
+    std::unique_ptr<Unit> (*traced)(std::uint64_t seed);  ///< the same Verilog, built for waveforms
+};
+
+/// All units of this build; written by CMake from GLINT_PROFILES.
+std::span<const UnitKind> unit_kinds();
+
+}  // namespace glint::testbench
