@@ -57,7 +57,7 @@ struct Log {
 class Checker {
 public:
     Checker(const GoldenModel& model, const UnitKind& kind, const Request& request, Log& log)
-        : model_(model), request_(request), log_(log), unit_(kind.fast(request.seed)) {}
+        : model_(model), request_(request), log_(log), unit_(kind.fast(model.profile().F, request.seed)) {}
 
     /// Runs a burst; `place` orders the bursts of the run. Returns the unit's own results.
     const std::vector<std::uint32_t>& check(const Stimulus& stimulus, std::uint64_t place) {
@@ -243,8 +243,8 @@ void run_resets(const GoldenModel& model, const UnitKind& kind, const Request& r
 }
 
 /// Runs the failed burst again in the unit that can draw, and says what it showed.
-std::string draw(const UnitKind& kind, const Request& request, const Failure& failure) {
-    const std::unique_ptr<Unit> unit = kind.traced(request.seed);
+std::string draw(const UnitKind& kind, int F, const Request& request, const Failure& failure) {
+    const std::unique_ptr<Unit> unit = kind.traced(F, request.seed);
     const Schedule schedule{request.stall_probability, failure.stimulus.stall_seed};
     constexpr std::uint64_t before = 64;
     constexpr std::uint64_t after = 16;
@@ -303,7 +303,7 @@ CosimResult cosimulate(const GoldenModel& model, const UnitKind& kind, const Req
         const Failure& first = log.failures.begin()->second;
         out.complaint += fmt::format("{} mismatches; the first:\n{}", log.mismatches, first.complaint);
         if (!request.trace_file.empty() && !first.outcome.packed.empty()) {
-            out.complaint += draw(kind, request, first);
+            out.complaint += draw(kind, model.profile().F, request, first);
         }
     }
     return out;

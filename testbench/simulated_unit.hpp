@@ -13,8 +13,9 @@
 namespace glint::testbench {
 
 /// Ports of the core: clk_i, rst_ni, n_i, cos_i, tag_i, ... (docs/rtl.md).
-template <int F>
 struct CorePins {
+    explicit CorePins(int F) : cos_mask(~0U >> (30 - F)) {}  // F + 2 bits
+    std::uint32_t cos_mask;
     static constexpr int reset_latency = 0;  ///< clocks until valid and ready have fallen
     static constexpr std::uint32_t tag(std::uint32_t index) { return index & 0xffffU; }
 
@@ -27,9 +28,9 @@ struct CorePins {
         m.rst_ni = !active;
     }
     template <class Model>
-    static void input(Model& m, std::uint16_t n, std::int32_t cos_code, std::uint32_t index) {
+    void input(Model& m, std::uint16_t n, std::int32_t cos_code, std::uint32_t index) const {
         m.n_i = n;
-        m.cos_i = static_cast<std::uint32_t>(cos_code) & (~0U >> (30 - F));  // F + 2 bits
+        m.cos_i = static_cast<std::uint32_t>(cos_code) & cos_mask;
         m.tag_i = static_cast<std::uint16_t>(tag(index));
     }
     template <class Model>
@@ -61,6 +62,7 @@ struct CorePins {
 /// Ports of the AXI4-Stream unit. tuser carries the index; tlast one bit of a mix of it, so that neither a stuck nor a
 /// shifted tlast goes unseen.
 struct AxisPins {
+    explicit AxisPins(int) {}
     static constexpr int reset_latency = 1;  ///< every output is a register
     static constexpr std::uint32_t last(std::uint32_t index) { return (index * 0x9e37'79b9U) >> 31; }
     static constexpr std::uint32_t tag(std::uint32_t index) { return (index & 0xffffU) | last(index) << 16; }
@@ -74,7 +76,7 @@ struct AxisPins {
         m.aresetn = !active;
     }
     template <class Model>
-    static void input(Model& m, std::uint16_t n, std::int32_t cos_code, std::uint32_t index) {
+    void input(Model& m, std::uint16_t n, std::int32_t cos_code, std::uint32_t index) const {
         // The bits between the fields are ignored by contract: fill them with what would show if they were not.
         const std::uint32_t low = n | (index * 0x85eb'ca6bU & ~0x3ffU);
         m.s_axis_tdata = std::uint64_t{static_cast<std::uint32_t>(cos_code)} << 32 | low;
@@ -110,7 +112,7 @@ struct AxisPins {
 template <class Model, class Pins, bool traced>
 class SimulatedUnit final : public Unit {
 public:
-    explicit SimulatedUnit(std::uint64_t seed) {
+    SimulatedUnit(int F, std::uint64_t seed) : pins_(F) {
         // Registers start with random contents: what matters of them must come from reset.
         context_.randReset(2);
         context_.randSeed(static_cast<int>(seed & 0x7fff'ffff) | 1);
@@ -161,7 +163,7 @@ public:
         Pins::input_valid(*model_, true);
         const std::size_t count = burst.n.size();
         const auto drive = [&](std::uint64_t i) {
-            Pins::input(*model_, burst.n[i % count], burst.cos_code[i % count], static_cast<std::uint32_t>(i));
+            pins_.input(*model_, burst.n[i % count], burst.cos_code[i % count], static_cast<std::uint32_t>(i));
             settle();
         };
         for (std::uint64_t i = 0; i < at; ++i) {
@@ -241,7 +243,7 @@ private:
         for (std::uint64_t now = 0; now < limit; ++now) {
             const bool valid = sent < count;
             Pins::input_valid(model, valid);
-            if (valid) Pins::input(model, burst.n[sent], burst.cos_code[sent], burst.first_tag + sent);
+            if (valid) pins_.input(model, burst.n[sent], burst.cos_code[sent], burst.first_tag + sent);
             settle();
             if (Pins::output_valid(model)) {
                 if (got == count) {
@@ -282,7 +284,7 @@ private:
             const bool ready = static_cast<std::uint32_t>(draw >> 32) >= threshold;
             Pins::input_valid(model, valid);
             Pins::output_ready(model, ready);
-            if (valid) Pins::input(model, burst.n[sent], burst.cos_code[sent], burst.first_tag + sent);
+            if (valid) pins_.input(model, burst.n[sent], burst.cos_code[sent], burst.first_tag + sent);
             settle();
             const bool out_valid = Pins::output_valid(model);
             const std::uint32_t packed = Pins::packed(model);
@@ -317,6 +319,7 @@ private:
 
     static constexpr int tail = 8;  ///< clocks to look on after the last result of a burst
 
+    Pins pins_;
     VerilatedContext context_;
     std::unique_ptr<Model> model_;
     std::unique_ptr<VerilatedFstC> waveform_;

@@ -57,13 +57,14 @@ public:
     virtual void trace(const std::string& file, std::uint64_t first, std::uint64_t last) = 0;
 };
 
-/// A unit that this build contains.
+/// A unit that this build contains. Made with F, the fraction bits of its cosine, and a seed for what its registers
+/// hold at first.
 struct UnitKind {
     std::string_view lobe;
     std::string_view profile;  ///< its name, e.g. "p12" or "18_14_14_12"
     std::string_view unit;     ///< "core" or "axis"
-    std::unique_ptr<Unit> (*fast)(std::uint64_t seed);
-    std::unique_ptr<Unit> (*traced)(std::uint64_t seed);  ///< the same Verilog, built for waveforms
+    std::unique_ptr<Unit> (*fast)(int F, std::uint64_t seed);
+    std::unique_ptr<Unit> (*traced)(int F, std::uint64_t seed);  ///< the same Verilog, built for waveforms
 };
 
 /// All units of this build; written by CMake from GLINT_PROFILES.

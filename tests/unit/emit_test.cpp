@@ -1,0 +1,57 @@
+#include <filesystem>
+#include <fstream>
+#include <regex>
+#include <set>
+#include <sstream>
+
+#include "catch.hpp"
+#include "glint/lobes.hpp"
+
+using namespace glint;
+
+namespace {
+
+std::string contents(const std::filesystem::path& path) {
+    std::ifstream file(path);
+    std::ostringstream text;
+    text << file.rdbuf();
+    return text.str();
+}
+
+}  // namespace
+
+TEST_CASE("the committed generated files are those of the model, and every shipped profile has its own") {
+    const std::filesystem::path root = GLINT_SOURCE_DIR;
+    const std::filesystem::path folders[] = {root / "rtl/generated", root / "hls/generated",
+                                             root / "proofs/gappa/generated"};
+    // Lobe and profile of a file, from its name: shipped, or custom as numbers joined by '_'.
+    const std::regex pattern("glint_([a-z0-9]+)_(?:axis_)?(p[0-9]+|[0-9]+(?:_[0-9]+)+)(?:_constants)?\\.[a-z]+");
+    std::set<std::string> committed;
+    for (std::size_t target = 0; target < std::size(folders); ++target) {
+        for (const auto& entry : std::filesystem::directory_iterator(folders[target])) {
+            const std::string name = entry.path().filename().string();
+            CAPTURE(name);
+            std::smatch match;
+            REQUIRE(std::regex_match(name, match, pattern));
+            std::string profile = match[2];
+            std::replace(profile.begin(), profile.end(), '_', ',');
+            std::size_t found = 0;
+            for (const GeneratedFile& file : find_lobe(match[1].str()).emit(parse_profile(profile))) {
+                if (file.name != name || static_cast<std::size_t>(file.target) != target) continue;
+                CHECK(contents(entry.path()) == file.text);
+                ++found;
+            }
+            CHECK(found == 1);
+            committed.insert(name);
+        }
+    }
+    for (const Lobe& lobe : lobes()) {
+        for (const Profile& profile : shipped_profiles()) {
+            for (const GeneratedFile& file : lobe.emit(profile)) {
+                CAPTURE(file.name);
+                CHECK(committed.count(file.name) == 1);
+            }
+        }
+    }
+    CHECK(committed.size() >= 3 * lobes().size());
+}
