@@ -13,7 +13,7 @@ namespace glint {
 std::span<const Lobe> lobes() {
     static const std::array<Lobe, 1> all{{
         {"bps", "a s^3 + b s^2 + c1 s + d0, s = c / (n - n c + c)", "F,S,K,O", reference::bps_horner, make_bps,
-         emit_bps},
+         emit_bps, bps_hard_cases},
     }};
     return all;
 }

@@ -8,6 +8,7 @@
 
 #include "glint/emit.hpp"
 #include "glint/golden.hpp"
+#include "glint/hard_cases.hpp"
 
 namespace glint {
 
@@ -18,6 +19,7 @@ struct Lobe {
     double (*reference)(double c, double n);
     std::unique_ptr<GoldenModel> (*golden)(const Profile&);
     std::vector<GeneratedFile> (*emit)(const Profile&);
+    std::vector<HardCase> (*hard_cases)(const GoldenModel&);
 };
 
 std::span<const Lobe> lobes();

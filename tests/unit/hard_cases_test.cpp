@@ -1,0 +1,62 @@
+#include "glint/hard_cases.hpp"
+
+#include <cmath>
+#include <fstream>
+#include <set>
+#include <sstream>
+
+#include "catch.hpp"
+#include "glint/lobes.hpp"
+
+using namespace glint;
+
+TEST_CASE("hard cases: within 1 ulp of the real function, clamped exactly when illegal, in range") {
+    for (const Lobe& lobe : lobes()) {
+        for (const Profile& profile : shipped_profiles()) {
+            const auto model = lobe.golden(profile);
+            std::set<std::string> names;
+            for (const HardCase& c : lobe.hard_cases(*model)) {
+                CAPTURE(lobe.name, profile.name, c.name);
+                const PortResult result = model->eval_port(c.n, c.cos_code);
+                // The reference has the same corrections: n below 1 counts as 1, c above 1 as 1, c below 0 gives 0.
+                const double real = lobe.reference(std::ldexp(c.cos_code, -profile.F), c.n);
+                CHECK(std::abs(std::ldexp(result.y, -profile.O) - real) < std::ldexp(1.0, -profile.O));
+                CHECK(result.clamped == (c.n == 0 || c.cos_code < 0 || c.cos_code > profile.one()));
+                CHECK(result.y <= 1U << profile.O);
+                CHECK(names.insert(c.name).second);
+                CHECK_FALSE(c.risk.empty());
+                CHECK_FALSE(c.covered.empty());
+            }
+            CHECK(names.size() >= 10);
+        }
+    }
+}
+
+TEST_CASE("bps: the cases around the cut to 0 stand where they say") {
+    for (const Profile& profile : shipped_profiles()) {
+        const auto model = find_lobe("bps").golden(profile);
+        for (const HardCase& c : find_lobe("bps").hard_cases(*model)) {
+            CAPTURE(profile.name, c.name);
+            if (c.name == "last result before the cut") {
+                CHECK(model->eval(c.n, c.cos_code) > 0);
+                CHECK(model->eval(c.n, c.cos_code + 1) == 0);
+            } else if (c.name == "first result after the cut") {
+                CHECK(model->eval(c.n, c.cos_code) > 0);
+                CHECK(model->eval(c.n, c.cos_code - 1) == 0);
+            } else if (c.name == "deepest below 0") {
+                CHECK(model->eval(c.n, c.cos_code) == 0);
+            } else if (c.name == "largest h2") {
+                for (const Intermediate& value : model->trace(c.n, c.cos_code)) {
+                    if (value.name == "h2") CHECK(value.code > std::int64_t{1} << value.fraction_bits);
+                }
+            }
+        }
+    }
+}
+
+TEST_CASE("docs/hard-cases.md is what `glint cases` prints") {
+    std::ifstream file(GLINT_SOURCE_DIR "/docs/hard-cases.md");
+    std::ostringstream text;
+    text << file.rdbuf();
+    CHECK(text.str() == hard_cases_page());
+}
