@@ -1,0 +1,16 @@
+# cmake -DNM=.. -DOBJECT=.. -DTOPS=.. -P check_object.cmake
+# An object file of a kernel defines its top functions and asks for nothing: no run-time library, no division routine.
+execute_process(COMMAND ${NM} --defined-only ${OBJECT} OUTPUT_VARIABLE defined COMMAND_ERROR_IS_FATAL ANY)
+execute_process(COMMAND ${NM} --undefined-only ${OBJECT} OUTPUT_VARIABLE undefined COMMAND_ERROR_IS_FATAL ANY)
+if(NOT TOPS)
+  message(FATAL_ERROR "no top functions named")
+endif()
+foreach(top ${TOPS})
+  if(NOT defined MATCHES " T ${top}\n")
+    message(FATAL_ERROR "${OBJECT}: no function ${top}")
+  endif()
+endforeach()
+if(NOT undefined STREQUAL "")
+  message(FATAL_ERROR "${OBJECT}: undefined symbols:\n${undefined}")
+endif()
+message(STATUS "${OBJECT}: defines ${TOPS}; no undefined symbols")
