@@ -68,7 +68,7 @@ std::string place(const Worst& worst, int F) {
 
 std::string grouped(std::uint64_t number) {
     std::string out = fmt::format("{}", number);
-    for (std::size_t i = out.size(); i > 3; i -= 3) out.insert(i - 3, " ");
+    for (std::size_t i = out.size(); i > 3; i -= 3) out.insert(i - 3, 1, ' ');
     return out;
 }
 
