@@ -87,11 +87,10 @@ P_quotient - P ->
 # The terms depend on s: bounded piece by piece, they do not take their worst values together.
 error $ s in 256;
 )",
-        fmt::arg("name", profile.name),
-        fmt::arg("profile", profile.shipped() ? profile.name : fmt::format("{}", fmt::join(profile.custom, ","))),
-        fmt::arg("F", f.F), fmt::arg("S", f.S), fmt::arg("K", f.K), fmt::arg("O", f.O), fmt::arg("a", published.a),
-        fmt::arg("b", published.b), fmt::arg("c1", published.c1), fmt::arg("d0", published.d0), fmt::arg("a_K", f.a),
-        fmt::arg("b_K", f.b), fmt::arg("c1_K", f.c1), fmt::arg("d0_K", f.d0));
+        fmt::arg("name", profile.name), fmt::arg("profile", profile.argument()), fmt::arg("F", f.F), fmt::arg("S", f.S),
+        fmt::arg("K", f.K), fmt::arg("O", f.O), fmt::arg("a", published.a), fmt::arg("b", published.b),
+        fmt::arg("c1", published.c1), fmt::arg("d0", published.d0), fmt::arg("a_K", f.a), fmt::arg("b_K", f.b),
+        fmt::arg("c1_K", f.c1), fmt::arg("d0_K", f.d0));
 }
 
 }  // namespace glint
