@@ -98,18 +98,18 @@ int main(int argc, char** argv) {
     CLI::Option* exhaustive = app.add_flag("--exhaustive", options.exhaustive, "Every legal input");
     CLI::Option* n = app.add_option("--n", options.n, "Exponents: n, first:last, first:last:step or all");
     CLI::Option* cos = app.add_option("--cos", options.cos, "Cosine codes: a range as for --n, or all (0 to 2^F)");
-    CLI::Option* count = app.add_option("--count", options.count, "So many random legal inputs, the corners first")
-                             ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1} << 40));
+    CLI::Option* count = cli::add_integer(app, "--count", options.count, 1, std::int64_t{1} << 40,
+                                          "So many random legal inputs, the corners first");
     CLI::Option* illegal = app.add_flag("--illegal", options.illegal,
                                         "n = 0 with every code; every illegal code with n in {1, 2, 50, 1000, 1023}");
-    CLI::Option* resets = app.add_option("--resets", options.resets, "So many resets in mid-stream")
-                              ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1} << 40));
+    CLI::Option* resets =
+        cli::add_integer(app, "--resets", options.resets, 1, std::int64_t{1} << 40, "So many resets in mid-stream");
     app.add_option("--stall-probability", options.stall_probability,
                    "Chance of a bubble at the input, and of a stall at the output")
         ->check(CLI::Range(0.0, 0.99))
         ->capture_default_str();
-    app.add_option("--seed", options.seed, "Seed of all that is random")->capture_default_str();
-    app.add_option("--threads", options.threads, "Threads; 0: one a core")->capture_default_str();
+    cli::add_integer(app, "--seed", options.seed, 0, cli::largest_seed, "Seed of all that is random");
+    cli::add_integer(app, "--threads", options.threads, 0, cli::most_threads, "Threads; 0: one a core");
     app.add_option("--trace", options.trace, "Waveform (FST) around the first mismatch");
     app.add_option("--json", options.json, "Write the results, per n and in total");
     app.add_option("--junit", options.junit, "Write the results as JUnit XML");

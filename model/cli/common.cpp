@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <charconv>
 #include <chrono>
 #include <cstdio>
 #include <fstream>
@@ -27,6 +28,15 @@ int run(CLI::App& app, int argc, char** argv, const std::function<int()>& comman
         fmt::print(stderr, "{}: {}\n", app.get_name(), error.what());
     }
     return bad_arguments;
+}
+
+std::int64_t parse_integer(std::string_view text, std::string_view what, std::int64_t low, std::int64_t high) {
+    std::int64_t number = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    if (error != std::errc{} || end != text.data() + text.size() || number < low || number > high) {
+        throw Error(fmt::format("{} '{}' is not legal: {} to {}", what, text, low, high));
+    }
+    return number;
 }
 
 void make_folder(const std::filesystem::path& folder) {

@@ -1,6 +1,7 @@
 // What the commands share: the frame of a command line, output files, progress, tables.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -20,6 +21,27 @@ enum Exit { success = 0, check_failed = 1, bad_arguments = 2 };
 
 /// Parses the command line, runs `command` and turns errors into one line on stderr and an exit status.
 int run(CLI::App& app, int argc, char** argv, const std::function<int()>& command);
+
+inline constexpr std::int64_t largest_seed = INT64_MAX;
+inline constexpr std::int64_t most_threads = 1024;
+
+/// A decimal integer in low..high; `what` names the argument. Throws Error.
+std::int64_t parse_integer(std::string_view text, std::string_view what, std::int64_t low, std::int64_t high);
+
+/// An option that takes a decimal integer in low..high. (CLI11 by itself reads 010 as 8 and 0x10 as 16.)
+template <class Integer>
+CLI::Option* add_integer(CLI::App& app, const std::string& name, Integer& value, std::int64_t low, std::int64_t high,
+                         const std::string& description) {
+    return app
+        .add_option_function<std::string>(
+            name,
+            [&value, name, low, high](const std::string& text) {
+                value = static_cast<Integer>(parse_integer(text, name, low, high));
+            },
+            description)
+        ->type_name("INT")
+        ->default_str(std::to_string(value));
+}
 
 /// Writes a file whole or not at all: under a temporary name beside it, then renamed. Throws Error.
 void write_file(const std::filesystem::path& path, std::string_view text);

@@ -136,12 +136,15 @@ void add_eval(CLI::App& app, Chosen& chosen) {
     CLI::App* command = app.add_subcommand("eval", "One input with every intermediate value, or a stream of inputs");
     command->add_option("--lobe", options->lobe, "Lobe")->capture_default_str();
     command->add_option("--profile", options->profile, "p8, p12, p16 or F,S,K,O")->capture_default_str();
-    CLI::Option* n = command->add_option("--n", options->n, "Specular exponent, 1 to 1023");
+    CLI::Option* n = add_integer(*command, "--n", options->n, 0, max_n, "Specular exponent, 1 to 1023 (--port: 0 too)");
     CLI::Option* cosine = command->add_option("--cos", options->cosine, "Cosine, rounded to its code");
-    CLI::Option* code = command->add_option("--cos-code", options->cos_code, "Cosine's code, 0 to 2^F");
+    CLI::Option* code = add_integer(*command, "--cos-code", options->cos_code, -(std::int64_t{1} << 31),
+                                    (std::int64_t{1} << 31) - 1, "Cosine's code, 0 to 2^F");
     command->add_flag("--port", options->port, "Port semantics: correct what is out of range and say so");
     CLI::Option* from_stdin = command->add_flag("--stdin", options->from_stdin,
                                                 "Read lines \"n cos_code\", write lines \"y\" (--port: \"y clamped\")");
+    n->default_str("");  // neither has a default
+    code->default_str("");
     cosine->excludes(code);
     from_stdin->excludes(n)->excludes(cosine)->excludes(code);
     command->footer("Example: glint eval --lobe bps --profile p12 --n 50 --cos 0.98");

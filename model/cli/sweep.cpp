@@ -57,7 +57,7 @@ void add_sweep(CLI::App& app, Chosen& chosen) {
         ->capture_default_str();
     command->add_option("--csv", options->csv, "Write one row per n, and a total");
     command->add_option("--json", options->json, "Write the same as JSON");
-    command->add_option("--threads", options->threads, "Threads; 0: one a core")->capture_default_str();
+    add_integer(*command, "--threads", options->threads, 0, most_threads, "Threads; 0: one a core");
     command->footer("Example: glint sweep --lobe bps --profile p8,p12 --n 1:1000 --cos all --csv out.csv");
     command->callback([=, &chosen] { chosen.run = [=, &chosen] { return run_sweep(*options, chosen.command); }; });
 }

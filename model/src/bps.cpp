@@ -156,7 +156,7 @@ BpsFormat bps_format(const Profile& profile) {
         f.S = f.K = profile.O + 3;
     } else {
         if (profile.custom.size() != 4) {
-            throw Error(fmt::format("profile '{}' is not legal for bps: four numbers F,S,K,O", profile.name));
+            throw Error(fmt::format("profile '{}' is not legal for bps: four numbers F,S,K,O", profile.argument()));
         }
         in_range("F", f.F, 8, 30);
         in_range("O", f.O, 4, 28);
@@ -169,8 +169,8 @@ BpsFormat bps_format(const Profile& profile) {
     f.d0 = quantize_constant(reference::bps_constants.d0, f.K);
     const std::int64_t top = largest_output(f, 0, std::int64_t{1} << f.S, 0);
     if (top > (std::int64_t{1} << f.O)) {
-        throw Error(fmt::format("profile '{}' is not legal for bps: y reaches {}, above 2^O = {}; raise K", profile.name,
-                                top, std::int64_t{1} << f.O));
+        throw Error(fmt::format("profile '{}' is not legal for bps: y reaches {}, above 2^O = {}; raise K",
+                                profile.argument(), top, std::int64_t{1} << f.O));
     }
     return f;
 }

@@ -79,7 +79,7 @@ endmodule
 
 `default_nettype wire
 )",
-                                                                        module, f.F + 1, f.O, parameters(f));
+                                                                       module, f.F + 1, f.O, parameters(f));
 }
 
 std::string axis(const Profile& profile, const BpsFormat& f) {

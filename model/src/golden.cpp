@@ -33,7 +33,7 @@ std::vector<Intermediate> GoldenModel::trace(int n, std::int64_t cos_code) const
     check_port_range(n, cos_code);
     const Corrected in = correct(n, static_cast<std::int32_t>(cos_code), profile_.one());
     std::vector<Intermediate> out = intermediates(in.n, in.cosine);
-    if (in.negative) out.push_back({"y", 0, profile_.O});
+    if (in.negative) out.back().code = 0;  // y, the last of every lobe
     return out;
 }
 

@@ -70,7 +70,7 @@ TEST_CASE("every intermediate is the contract's") {
 }
 
 TEST_CASE("hard inputs by name") {
-    for (const std::string& name : {"p8", "p12", "p16"}) {
+    for (const std::string name : {"p8", "p12", "p16"}) {
         CAPTURE(name);
         const Profile profile = parse_profile(name);
         const BpsFormat f = bps_format(profile);
@@ -205,7 +205,7 @@ TEST_CASE("a custom format whose result could exceed 1 is refused, by the exact 
 }
 
 TEST_CASE("monotone in c wherever the real function rises, falling where it falls") {
-    for (const std::string& name : {"p8", "p12", "p16"}) {
+    for (const std::string name : {"p8", "p12", "p16"}) {
         CAPTURE(name);
         const Profile profile = parse_profile(name);
         const auto model = make_bps(profile);

@@ -75,6 +75,7 @@ protected:
 private:
     /// The lobe itself, for corrected arguments.
     virtual std::uint32_t value(int n, std::int32_t cosine) const = 0;
+    /// Ends with y.
     virtual std::vector<Intermediate> intermediates(int n, std::int32_t cosine) const = 0;
     /// Lengths are equal and not 0.
     virtual void batch(std::span<const std::uint16_t> n, std::span<const std::int32_t> cos_code,
