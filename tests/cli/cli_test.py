@@ -1,0 +1,679 @@
+#!/usr/bin/env python3
+"""How `glint` and `glint-cosim` behave on the command line: what they print, write, refuse, and with which exit status.
+
+    cli_test.py --glint build/glint [--cosim build/glint-cosim --cosim-profile p8 ...] [Help Eval ...]
+
+What the numbers are is for other tests; here they are compared with each other. Exit status: 0 if every check held.
+"""
+
+import argparse
+import csv
+import itertools
+import json
+import os
+import random
+import re
+import resource
+import signal
+import stat
+import subprocess
+import sys
+import tempfile
+import unittest
+import xml.etree.ElementTree
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+
+OPTIONS = argparse.Namespace(glint=None, cosim=None, cosim_profiles=[])
+
+# Fraction bits of each value that `bps` names in docs/contract.md.
+BITS = {"C": "F", "D": "F", "quotient": "S", "h1": "K", "h2": "K", "y": "O"}
+PROFILES = {
+    "p8": dict(F=16, S=11, K=11, O=8),
+    "p12": dict(F=18, S=15, K=15, O=12),
+    "p16": dict(F=20, S=19, K=19, O=16),
+    "18,14,14,12": dict(F=18, S=14, K=14, O=12),
+    "30,30,30,28": dict(F=30, S=30, K=30, O=28),
+}
+
+
+class Case(unittest.TestCase):
+    """A test in a folder of its own, which counts its checks: a test without any has failed."""
+
+    count = 0
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = Path(folder.name)
+
+    def run(self, result=None):
+        def problems():
+            return len(result.failures) + len(result.errors) + len(result.skipped)
+
+        before = Case.count, problems()
+        super().run(result)
+        if (Case.count, problems()) == before:
+            result.addFailure(self, (AssertionError, AssertionError("this test checked nothing"), None))
+
+    def equal(self, got, want, what=None):
+        Case.count += 1
+        self.assertEqual(got, want, what)
+
+    def true(self, holds, what):
+        Case.count += 1
+        self.assertTrue(holds, what)
+
+    def matches(self, text, pattern):
+        Case.count += 1
+        self.assertRegex(text, pattern)
+
+    def run_tool(self, *arguments, tool=None, text=None, **settings):
+        """Runs glint, or another tool, in the folder of the test."""
+        command = [tool or OPTIONS.glint, *map(str, arguments)]
+        if text is None:
+            settings.setdefault("stdin", subprocess.DEVNULL)
+        settings = {"stdout": subprocess.PIPE, "cwd": self.folder, "timeout": 120, **settings}
+        return subprocess.run(command, stderr=subprocess.PIPE, text=True, input=text, **settings)
+
+    def good(self, *arguments, **settings):
+        """Exit status 0 and nothing on standard error; returns standard output."""
+        done = self.run_tool(*arguments, **settings)
+        self.equal((done.returncode, done.stderr), (0, ""), f"{arguments}")
+        return done.stdout
+
+    def refused(self, pattern, *arguments, **settings):
+        """Exit status 2, no output, and one line on standard error that begins with the tool's name."""
+        done = self.run_tool(*arguments, **settings)
+        name = Path(settings.get("tool") or OPTIONS.glint).name
+        self.equal((done.returncode, done.stdout or ""), (2, ""), f"{arguments}: {done.stderr}")
+        self.matches(done.stderr, rf"\A{name}: [^\n]+\n\Z")
+        self.matches(done.stderr, pattern)
+
+    def fits_a_screen(self, text, example):
+        lines = text.splitlines()
+        self.true(len(lines) <= 40, f"{len(lines)} lines:\n{text}")
+        self.true(max(map(len, lines)) <= 100, f"a line of {max(map(len, lines))} columns in\n{text}")
+        self.true(f"\nExample: {example} " in text, f"no example in\n{text}")
+
+    def files(self):
+        """The files below the folder of the test."""
+        return sorted(str(path.relative_to(self.folder)) for path in self.folder.rglob("*") if not path.is_dir())
+
+    def read(self, name):
+        return (self.folder / name).read_text()
+
+
+class Help(Case):
+    def subcommands(self):
+        text = self.good("--help")
+        return re.findall(r"^  (\w+) ", text.split("Subcommands:\n")[1], re.MULTILINE)
+
+    def test_glint(self):
+        names = self.subcommands()
+        self.true({"eval", "sweep", "vectors", "emit"} <= set(names), f"{names}")
+        for name in names:
+            text = self.good(name, "--help")
+            self.fits_a_screen(text, f"glint {name}")
+            self.equal(self.good(name, "-h"), text)
+
+    def test_version(self):
+        self.matches(self.good("--version"), r"\A\d+\.\d+\.\d+\n\Z")
+
+    def test_examples(self):
+        """The examples are commands that work; that of sweep, with fewer inputs."""
+        (self.folder / "docs").mkdir()
+        names = self.subcommands()
+        for name in ("eval", "sweep", "vectors", "cases"):
+            self.true(name in names, f"{name} in {names}")
+            example = re.search(r"^Example: glint (.*)$", self.good(name, "--help"), re.MULTILINE)[1]
+            example = example.replace("1:1000", "50:51").replace("--cos all", "--cos 0:100")
+            self.good(*example.split())
+        written = ["docs/hard-cases.md", "out.csv", "vectors/glint_bps_p12.json", "vectors/glint_bps_p12.tv"]
+        self.equal(self.files(), written)
+
+
+class Refusals(Case):
+    """One line that says which argument, its value, and what is legal."""
+
+    def test_subcommands(self):
+        self.refused("subcommand", *[])
+        self.refused("frob", "frob")
+        self.refused("--frob", "eval", "--frob")
+        self.refused("--frob", "sweep", "--frob", "3")
+        self.refused("extra", "vectors", "extra")
+
+    def test_lobe_and_profile(self):
+        for command in (("eval", "--n", 1, "--cos", 1), ("sweep", "--n", 1, "--cos", 0), ("vectors",), ("emit",)):
+            self.refused("lobe 'phong' is not known: .*bps", *command, "--lobe", "phong")
+            self.refused("profile 'p9' is not legal: .*p8, p12, p16", *command, "--profile", "p9")
+            self.refused("F = 7", *command, "--profile", "7,8,8,8")
+            self.refused("S = 11.*12 to 30", *command, "--profile", "18,11,14,12")
+            self.refused("K = 31.*12 to 30", *command, "--profile", "18,14,31,12")
+            self.refused("18.14.14.*F,S,K,O", *command, "--profile", "18,14,14")
+        self.equal(self.files(), [])
+
+    def test_eval(self):
+        self.refused("--n is missing", "eval", "--cos", 1)
+        self.refused("--cos or --cos-code is missing", "eval", "--n", 1)
+        for n in (0, 1024, -1, 99999):
+            self.refused(f"n '?{n}'? is not legal: [01] to 1023", "eval", "--n", n, "--cos", 1)
+        for code in (-1, 262145):
+            self.refused(f"cos code {code} is not legal: 0 to 262144", "eval", "--n", 5, "--cos-code", code)
+        self.refused(f"cos.code '?{1 << 40}'? is not legal: ", "eval", "--n", 5, "--cos-code", 1 << 40)
+        self.refused("1024'? is not legal: .*0 to 1023", "eval", "--port", "--n", 1024, "--cos", 1)
+        self.refused("524288 is not legal: .*-524288 to 524287", "eval", "--port", "--n", 1, "--cos-code", 524288)
+        for cosine in ("2", "-2", "nan", "inf", "1e300"):
+            self.refused(r"cosine (2|-2|nan|inf|1e\+300) is not legal", "eval", "--n", 5, f"--cos={cosine}")
+        self.refused("1.5", "eval", "--n", 5, "--cos", 1.5)
+        self.refused("-0.25", "eval", "--n", 5, "--cos", -0.25)
+        self.refused("--n.*abc", "eval", "--n", "abc", "--cos", 1)
+        self.refused("--n.*1.5", "eval", "--n", "1.5", "--cos", 1)
+        self.refused("--cos.*abc", "eval", "--n", 1, "--cos", "abc")
+        self.refused("--cos ", "eval", "--n", 1, "--cos", 1, "--cos-code", 1)
+        self.refused("--stdin ", "eval", "--n", 1, "--stdin")
+        self.refused("--n", "eval", "--cos", 1, "--n")
+
+    def test_sweep(self):
+        for text in ("0:5", "1:1024", "5:1", "1:5:0", "1:5:-1", "1:5:1:1", "", ":", "1:", "a", "1-5", "1.5", "-3"):
+            argument = [f"--n={text}"] if text else ["--n", ""]
+            self.refused(f"--n '{text}' is not legal: .*1 to 1023", "sweep", *argument, "--cos", "0:5")
+        for text in ("0:262145", "-1:5", "5:4", "all:2", "99999999999999999999"):
+            self.refused(f"--cos '{text}' is not legal: .*0 to 262144", "sweep", "--n", "1", f"--cos={text}")
+        self.refused("--threads.*-1", "sweep", "--n", 1, "--cos", 0, "--threads", -1)
+        self.refused("--threads.*1000000", "sweep", "--n", 1, "--cos", 0, "--threads", 1000000)
+
+    def test_vectors(self):
+        corners = int(json.loads(self.manifest())["corners"])
+        self.refused(f"count {corners - 1} is not legal: at least {corners}", "vectors", "--count", corners - 1)
+        for count in (0, -5, "x", "1e3", 1 << 50, 1 << 64):
+            self.refused(f"count.*{count}", "vectors", "--count", count)
+        for seed in (-1, "x", 1 << 64):
+            self.refused(f"seed.*{seed}", "vectors", "--seed", seed)
+        self.refused("format 'json' is not legal: tv, csv or hex", "vectors", "--format", "json")
+        self.equal(self.files(), [])
+
+    def manifest(self):
+        self.good("vectors", "-o", "v")
+        text = self.read("v/glint_bps_p12.json")
+        for name in self.files():
+            (self.folder / name).unlink()
+        return text
+
+    def test_emit(self):
+        self.refused("target 'vhdl' is not legal: verilog, hls, proof or all", "emit", "--target", "vhdl")
+        self.equal(self.files(), [])
+
+
+class Eval(Case):
+    def values(self, text):
+        """name -> (code, fraction bits, real), of the table that eval prints; each name once."""
+        rows = re.findall(r"^(\w+) +(-?\d+) +(\d+) +(-?\d+\.\d+)$", text, re.MULTILINE)
+        self.equal([row[0] for row in rows], list(BITS), text)
+        return {name: (int(code), int(bits), real) for name, code, bits, real in rows}
+
+    def test_intermediates(self):
+        for profile, bits in PROFILES.items():
+            one = 1 << bits["F"]
+            for n, code in itertools.product((1, 2, 50, 1023), (0, 1, one // 3, one - 1, one)):
+                text = self.good("eval", "--lobe", "bps", "--profile", profile, "--n", n, "--cos-code", code)
+                self.matches(text, rf"\Abps {profile.replace(',', '_')} n {n} cos code {code} \(c = [\d.]+\)\n")
+                values = self.values(text)
+                self.equal({name: value[1] for name, value in values.items()}, {x: bits[BITS[x]] for x in BITS})
+                for code_here, fraction_bits, real in values.values():
+                    self.equal(real, f"{code_here / 2**fraction_bits:.9f}")
+                self.equal(values["C"][0], code)
+                self.equal(values["D"][0], n * one - (n - 1) * code)
+
+    def test_corrections(self):
+        """Each name once, y the answer, and the first line says that something was corrected."""
+        for n, code, C in ((0, 5, 5), (50, -1, 0), (50, 262145, 262144), (0, 524287, 262144), (0, -524288, 0)):
+            text = self.good("eval", "--port", "--n", n, "--cos-code", code)
+            self.matches(text, rf"\Abps p12 n {n} cos code {code} .*, clamped\n")
+            values = self.values(text)
+            self.equal(values["C"][0], C)
+            answer, clamped = self.good("eval", "--port", "--stdin", text=f"{n} {code}\n").split()
+            self.equal((values["y"][0], clamped), (int(answer), "1"))
+        self.true("clamped" not in self.good("eval", "--port", "--n", 1, "--cos-code", 0), "nothing was corrected")
+
+    def test_cosine(self):
+        text = self.good("eval", "--n", 50, "--cos", 0.98)
+        self.equal(text, self.good("eval", "--lobe", "bps", "--profile", "p12", "--n", 50, "--cos-code", 256901))
+        self.matches(text, r"rounding error 0\.\d+ ulp; .*approximation error 0\.\d+\n\Z")
+
+
+class Stdin(Case):
+    def test_equals_eval(self):
+        """The stream answers what eval shows for each input alone."""
+        generator = random.Random(1)
+        for profile, bits in PROFILES.items():
+            one = 1 << bits["F"]
+            inputs = [(n, code) for n in (1, 50, 1023) for code in (0, 1, one - 1, one)]
+            inputs += [(generator.randint(1, 1023), generator.randint(one - one // 50, one)) for _ in range(20)]
+            text = "".join(f"{n} {code}\n" for n, code in inputs)
+            answers = self.good("eval", "--profile", profile, "--stdin", text=text).splitlines()
+            shown = []
+            for n, code in inputs:
+                alone = self.good("eval", "--profile", profile, "--n", n, "--cos-code", code)
+                shown.append(re.search(r"^y +(\d+) ", alone, re.MULTILINE)[1])
+            self.equal(answers, shown)
+            self.true(len(set(answers)) > 10, f"{answers}")
+
+    def test_port(self):
+        inputs = [(n, code) for n in (0, 1, 1023) for code in (-524288, -1, 0, 262144, 262145, 524287)]
+        text = "".join(f"{n} {code}\n" for n, code in inputs)
+        answers = self.good("eval", "--port", "--stdin", text=text).splitlines()
+        self.equal(len(answers), len(inputs))
+        for (n, code), answer in zip(inputs, answers):
+            clamped = n == 0 or code < 0 or code > 262144
+            self.matches(answer, rf"\A\d+ {int(clamped)}\Z")
+            self.true(code >= 0 or answer == "0 1", f"{n} {code}: {answer}")
+
+    def test_many_lines(self):
+        """Lines over many blocks of input, against a vector file; the last line without its line feed too."""
+        self.good("vectors", "--count", 300000, "--seed", 7)
+        vectors = [line.split() for line in self.read("glint_bps_p12.tv").splitlines()]
+        text = "".join(f"{n} {code}\n" for n, code, _, _ in vectors)
+        self.true(len(text) > 2 << 20, f"{len(text)} bytes")
+        wanted = "".join(f"{y} {clamped}\n" for _, _, y, clamped in vectors)
+        self.true(self.good("eval", "--port", "--stdin", text=text) == wanted, "the answers are those of the vectors")
+        self.true(self.good("eval", "--port", "--stdin", text=text[:-1]) == wanted, "without the last line feed")
+        done = self.run_tool("eval", "--port", "--stdin", text=text + "1 x\n")
+        self.equal(done.returncode, 2)
+        self.matches(done.stderr, r"\Aglint: line 300001[ :].*\n\Z")
+
+    def test_refused(self):
+        self.refused("standard input.*0 lines", "eval", "--stdin", text="")
+        good = "1 2\n50 256901\n"
+        for line in ("", "1", "1 ", "1 x", "x 1", "1,2", "1 2 3", "1 2 ", " 1 2", "1.0 2", "1 0x2", "1\t2", "1 2\r"):
+            self.refused("line 3 is not legal: two integers", "eval", "--stdin", text=f"{good}{line}\n1 2\n")
+        for line, why in (("0 5", "n 0"), ("1024 5", "n 1024"), ("5 -1", "cos code -1"),
+                          ("5 262145", "cos code 262145")):
+            self.refused(f"line 3: {why} is not legal: ", "eval", "--stdin", text=f"{good}{line}\n")
+        for line, why in (("1024 5", "n 1024"), ("5 -524289", "cos code -524289"), ("5 524288", "cos code 524288")):
+            self.refused(f"line 3: {why} is not legal: ", "eval", "--stdin", "--port", text=f"{good}{line}\n")
+        for line in ("99999999999 1", "1 99999999999999999999"):
+            self.refused("line 3", "eval", "--stdin", "--port", text=f"{good}{line}\n")
+
+
+class Sweep(Case):
+    def rows(self, name):
+        with open(self.folder / name, newline="") as file:
+            return list(csv.DictReader(file))
+
+    def test_csv(self):
+        table = self.good("sweep", "--lobe", "bps", "--profile", "p8,18,14,14,12", "--n", "2:30:7",
+                          "--cos", "60000:65536:3", "--csv", "out.csv")
+        rows = self.rows("out.csv")
+        exponents = [2, 9, 16, 23, 30]
+        codes = len(range(60000, 65537, 3))
+        names = [*map(str, exponents), "total"]
+        self.equal([(row["lobe"], row["profile"], row["n"]) for row in rows],
+                   [("bps", profile, n) for profile in ("p8", "18_14_14_12") for n in names])
+        for block in (rows[: len(names)], rows[len(names) :]):
+            *parts, total = block
+            self.equal([int(row["inputs"]) for row in parts], [codes] * len(exponents))
+            self.equal(int(total["inputs"]), codes * len(exponents))
+            for key, place in (("rounding_max_ulp", "rounding_cos_code"), ("error_max", "error_cos_code"),
+                               ("error_exact_cosine_max", "error_exact_cosine_cos_code"),
+                               ("epicentre_max", "epicentre_cos_code")):
+                seen = [row for row in parts if row[key]]
+                if not seen:
+                    self.equal((total[key], total[place]), ("", ""))
+                    continue
+                worst = max(seen, key=lambda row: float(row[key]))
+                self.equal((total[key], total[place]), (worst[key], worst[place]), key)
+                self.true((int(total[place]) - 60000) % 3 == 0, f"{place} {total[place]} is one of the inputs")
+            for key in ("rounding_rms_ulp", "error_rms"):
+                mean = (sum(float(row[key]) ** 2 for row in parts) / len(parts)) ** 0.5
+                self.true(abs(float(total[key]) - mean) <= 1e-7 * mean, f"{key} {total[key]}, of the rows {mean}")
+        self.matches(table, rf"(?m)^bps +p8 +{codes * 5 // 1000} {codes * 5 % 1000:03} ")
+        self.equal(self.files(), ["out.csv"])
+
+    def test_json(self):
+        for profile, n, cos, exhaustive in (("p8", "50:52", "65000:65100", False), ("8,4,7,4", "all", "all", True)):
+            arguments = ("sweep", "--profile", profile, "--n", n, "--cos", cos, "--csv", "out.csv",
+                         "--json", "out.json")
+            self.good(*arguments)
+            document = json.loads(self.read("out.json"))
+            self.equal(document["tool"], "glint sweep")
+            self.equal(document["command"], f"{Path(OPTIONS.glint).name} {' '.join(arguments)}")
+            self.equal(document["version"], self.good("--version").strip())
+            (run,) = document["runs"]
+            keys = {"lobe": str, "profile": str, "F": int, "O": int, "unit": str, "test": str, "exhaustive": bool,
+                    "inputs": int, "seconds": float, "vectors_per_second": float, "accuracy": dict}
+            self.equal({key: type(value) for key, value in run.items()}, keys)
+            self.equal((run["profile"], run["unit"], run["test"]), (profile.replace(",", "_"), "model", "sweep"))
+            self.equal(run["exhaustive"], exhaustive)
+            rows = self.rows("out.csv")
+            self.equal(run["inputs"], int(rows[-1]["inputs"]))
+            accuracies = [*run["accuracy"]["rows"], run["accuracy"]["total"]]
+            self.equal(len(accuracies), len(rows))
+            for row, accuracy in zip(rows, accuracies):
+                self.same(row, accuracy)
+
+    def same(self, row, accuracy):
+        """A row of CSV and its JSON."""
+        self.equal(str(accuracy["inputs"]), row["inputs"])
+        self.equal(str(accuracy.get("n", "total")), row["n"])
+        for key, greatest, column, place in (
+            ("rounding", "max_ulp", "rounding_max_ulp", "rounding_cos_code"),
+            ("approximation", "max", "error_max", "error_cos_code"),
+            ("approximation_exact_cosine", "max", "error_exact_cosine_max", "error_exact_cosine_cos_code"),
+            ("epicentre", "max", "epicentre_max", "epicentre_cos_code"),
+        ):
+            worst = accuracy[key]
+            shown = ("", "") if worst is None else (f"{worst[greatest]:.9g}", str(worst["cos_code"]))
+            self.equal((row[column], row[place]), shown, key)
+        self.equal(row["rounding_rms_ulp"], f"{accuracy['rounding']['rms_ulp']:.9g}")
+        self.equal(row["error_rms"], f"{accuracy['approximation']['rms']:.9g}")
+
+    def test_threads(self):
+        documents = []
+        for threads in (1, 2, 3, 0):
+            self.good("sweep", "--profile", "p8", "--n", "1:20", "--threads", threads, "--csv", f"{threads}.csv",
+                      "--json", f"{threads}.json")
+            document = json.loads(self.read(f"{threads}.json"))
+            for key in ("seconds", "vectors_per_second"):
+                del document["runs"][0][key]
+            documents.append(document["runs"])
+            self.equal(self.read(f"{threads}.csv"), self.read("1.csv"))
+            self.true(documents[-1] == documents[0], f"JSON of {threads} threads")
+
+
+class Vectors(Case):
+    def vectors(self, format, count=500, seed=1, profile="p12", folder=None):
+        """The bytes of the vector file, and its manifest."""
+        folder = self.folder / (folder or f"{format}-{count}-{seed}-{profile}")
+        text = self.good("vectors", "--lobe", "bps", "--profile", profile, "--count", count, "--seed", seed,
+                         "--format", format, "-o", folder)
+        name = f"glint_bps_{profile.replace(',', '_')}"
+        self.equal(sorted(path.name for path in folder.iterdir()), sorted([f"{name}.json", f"{name}.{format}"]))
+        self.equal(text, f"{folder}/{name}.{format}: {count} vectors, seed {seed}\n")
+        return (folder / f"{name}.{format}").read_bytes(), json.loads((folder / f"{name}.json").read_text())
+
+    def test_deterministic(self):
+        for format in ("tv", "csv", "hex"):
+            first, manifest = self.vectors(format, folder="a")
+            again, same_manifest = self.vectors(format, folder="b")
+            self.true(first == again, "the same seed gives the same bytes")
+            del manifest["command"], same_manifest["command"]  # which names the folder
+            self.equal(manifest, same_manifest)
+            other = self.vectors(format, seed=2)[0]
+            corners = manifest["corners"] + (format == "csv")
+            lines, others = first.splitlines(), other.splitlines()
+            self.equal(lines[:corners], others[:corners])
+            differing = sum(a != b for a, b in zip(lines[corners:], others[corners:]))
+            self.true(differing > 350, f"another seed gives other vectors: {differing} of {len(lines) - corners}")
+            longer = self.vectors(format, count=600)[0]
+            self.true(longer.startswith(first), "more vectors begin with the same ones")
+            for folder in ("a", "b"):
+                for path in (self.folder / folder).iterdir():
+                    path.unlink()
+
+    def test_formats_agree(self):
+        for profile, bits in PROFILES.items():
+            lines = self.vectors("tv", profile=profile)[0].decode().splitlines()
+            tv = [tuple(map(int, line.split())) for line in lines]
+            header, *lines = self.vectors("csv", profile=profile)[0].decode().splitlines()
+            self.equal(header, "n,cos_code,y,clamped")
+            self.equal([tuple(map(int, line.split(","))) for line in lines], tv)
+            words = self.vectors("hex", profile=profile)[0].decode().splitlines()
+            packed = [(code % (1 << 32)) << 64 | n << 48 | clamped << 32 | y for n, code, y, clamped in tv]
+            self.equal(words, [f"{word:024x}" for word in packed])
+            one = 1 << bits["F"]
+            self.equal(len(tv), 500)
+            for n, code, y, clamped in tv:
+                self.true(0 <= n <= 1023 and -2 * one <= code < 2 * one and 0 <= y <= 1 << bits["O"], f"{n} {code} {y}")
+                self.equal(clamped, int(n == 0 or code < 0 or code > one))
+            self.true({0, 1} == {vector[3] for vector in tv}, "legal inputs and others")
+
+    def test_manifest(self):
+        for format, profile in (("hex", "p8"), ("tv", "18,14,14,12")):
+            manifest = self.vectors(format, count=300, seed=9, profile=profile)[1]
+            name = profile.replace(",", "_")
+            self.equal({key: manifest[key] for key in manifest if key not in ("command", "version", "corners")},
+                       {"file": f"glint_bps_{name}.{format}", "format": format, "lobe": "bps", "profile": name,
+                        "F": PROFILES[profile]["F"], "O": PROFILES[profile]["O"], "count": 300, "seed": 9})
+            self.true(0 < manifest["corners"] < 300, f"{manifest}")
+            self.matches(manifest["command"], rf"^glint\S* vectors .*--profile {profile} .*--seed 9 ")
+            self.equal(manifest["version"], self.good("--version").strip())
+
+    def test_corners_alone(self):
+        corners = self.vectors("tv")[1]["corners"]
+        lines = self.vectors("tv", count=corners)[0].decode().splitlines()
+        self.equal(len(lines), corners)
+        seen = {tuple(map(int, line.split()[:2])) for line in lines}
+        for n, code in itertools.product((0, 1, 2, 50, 1023), (-524288, -1, 0, 1, 262143, 262144, 262145, 524287)):
+            self.true((n, code) in seen, f"{n} {code} is a corner")
+
+
+class Emit(Case):
+    COMMITTED = {"verilog": "rtl/generated", "hls": "hls/generated", "proof": "proofs/gappa/generated"}
+
+    def test_committed(self):
+        """What is committed is what the tool emits: every file, and no other."""
+        for target, folder in self.COMMITTED.items():
+            committed = {path.name: path.read_text() for path in (ROOT / folder).iterdir()}
+            pattern = re.compile(r"glint_bps_(?:axis_)?(p\d+|\d+(?:_\d+)+)(?:_constants)?\.\w+")
+            names = {pattern.sub(r"\1", name) for name in committed}
+            self.true({"p8", "p12", "p16"} <= names, f"{folder}: {names}")
+            for name in names:
+                profile = name.replace("_", ",")
+                self.good("emit", "--lobe", "bps", "--profile", profile, "--target", target, "-o", target)
+            emitted = {path.name: path.read_text() for path in (self.folder / target).iterdir()}
+            self.equal(sorted(committed), sorted(emitted), folder)
+            for name, text in emitted.items():
+                self.true(committed[name] == text, f"{folder}/{name} is not what `glint emit` writes")
+
+    def test_list(self):
+        text = self.good("emit", "--lobe", "bps", "--profile", "p8,p12,p16", "-o", "out")
+        self.equal(sorted(text.splitlines()), self.files())
+        self.equal(len(self.files()), 12)
+
+    def test_targets(self):
+        every = {"verilog": ["glint_bps_axis_p12.v", "glint_bps_p12.v"], "hls": ["glint_bps_p12_constants.hpp"],
+                 "proof": ["glint_bps_p12.g"]}
+        self.good("emit", "--target", "all", "-o", "all")
+        self.equal(self.files(), sorted(f"all/{name}" for names in every.values() for name in names))
+        for target, names in every.items():
+            self.good("emit", "--target", target, "-o", target)
+            self.equal(sorted(path.name for path in (self.folder / target).iterdir()), sorted(names))
+            for name in names:
+                self.true(self.read(f"{target}/{name}") == self.read(f"all/{name}"), name)
+
+    def test_custom(self):
+        """The bound is measured where that takes seconds, and else said not to be shown."""
+        for profile, inputs in (("8,4,7,4", 1023 * 257), ("10,12,13,9", 1023 * 1025), ("30,30,30,28", None)):
+            name = profile.replace(",", "_")
+            text = self.good("emit", "--profile", profile, "-o", "out")
+            bound = rf"\d\.\d+ ulp, measured over all {inputs} inputs" if inputs else r"not shown \(.*\)"
+            self.matches(text, rf"\nbps {profile}: rounding error {bound}\n\Z")
+            names = (f"{name}.v", f"axis_{name}.v", f"{name}_constants.hpp", f"{name}.g")
+            self.equal(text.splitlines()[:-1], [f"out/glint_bps_{ending}" for ending in names])
+            F, _, _, O = map(int, profile.split(","))
+            wrapper = self.read(f"out/glint_bps_{name}.v")
+            self.matches(wrapper, rf"\nmodule glint_bps_{name} #\(")
+            self.matches(wrapper, rf"input  wire +\[{F + 1}:0\] cos_i,")
+            self.matches(wrapper, rf"output wire +\[{O}:0\] y_o,")
+            self.true(f"glint emit --lobe bps --profile {profile}`" in wrapper, "the wrapper names its command")
+
+    def test_again(self):
+        """Over files that are there, which are replaced."""
+        self.good("emit", "-o", ".")
+        first = {name: self.read(name) for name in self.files()}
+        for name in first:
+            (self.folder / name).write_text("old")
+        self.good("emit", "-o", ".")
+        self.equal({name: self.read(name) for name in self.files()}, first)
+
+
+class Files(Case):
+    """An output file is written whole or not at all, and nothing else is left behind."""
+
+    OUTPUTS = (
+        (("sweep", "--n", "1:300", "--cos", "0:9", "--csv"), "out.csv"),
+        (("sweep", "--n", "1:300", "--cos", "0:9", "--json"), "out.json"),
+    )
+
+    def test_is_a_folder(self):
+        for command, name in self.OUTPUTS:
+            (self.folder / name).mkdir()
+            self.refused(f"'{name}' cannot be written", *command, name)
+        for name in ("glint_bps_p12.tv", "glint_bps_p12.v"):
+            (self.folder / name).mkdir()
+        self.refused("'./glint_bps_p12.tv' cannot be written", "vectors")
+        self.refused("'./glint_bps_p12.v' cannot be written", "emit")
+        self.equal(self.files(), [])
+
+    def test_no_folder(self):
+        for command, name in self.OUTPUTS:
+            self.refused(f"'missing/{name}' cannot be written", *command, f"missing/{name}")
+        (self.folder / "file").write_text("old")
+        for command in (("vectors",), ("emit",)):
+            self.refused("folder 'file'", *command, "-o", "file")
+            self.refused("folder 'file/below'", *command, "-o", "file/below")
+        self.equal(self.files(), ["file"])
+
+    def test_no_space(self):
+        """A write that fails half-way, here at a limit of 4096 bytes, leaves what was there before."""
+
+        def limited():
+            signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+            resource.setrlimit(resource.RLIMIT_FSIZE, (4096, 4096))
+
+        commands = [((*command, name), name) for command, name in self.OUTPUTS]
+        commands.append((("vectors",), "./glint_bps_p12.tv"))
+        for old, (command, name) in itertools.product((None, "old\n"), commands):
+            if old:
+                (self.folder / name).write_text(old)
+            self.refused(f"'{name}' cannot be written", *command, preexec_fn=limited)
+            self.equal(self.files(), [os.path.normpath(name)] if old else [])
+            if old:
+                self.equal(self.read(name), old)
+                (self.folder / name).unlink()
+            self.good(*command)  # without the limit it is more than 4096 bytes
+            self.true((self.folder / name).stat().st_size > 4096, name)
+            for left in self.files():
+                (self.folder / left).unlink()
+
+    def test_pipe(self):
+        """A pipe, as from `--csv /dev/stdout`, is written to and not replaced."""
+        for command, name in self.OUTPUTS:
+            os.mkfifo(self.folder / name)
+            reader = os.open(self.folder / name, os.O_RDWR | os.O_NONBLOCK)
+            try:
+                self.good("sweep", "--n", "1", "--cos", "0:9", command[-1], name)
+                self.true(stat.S_ISFIFO((self.folder / name).stat().st_mode), f"{name} is still a pipe")
+                self.true(b"bps" in os.read(reader, 65536), f"{name} has the results")
+            finally:
+                os.close(reader)
+
+    def test_standard_output(self):
+        """Where standard output cannot take what is written, exit status 0 would be a lie."""
+        if not os.path.exists("/dev/full"):
+            self.skipTest("no /dev/full")
+        commands = [(("eval", "--n", "1", "--cos", "1"), None), (("eval", "--stdin"), "1 2\n"),
+                    (("eval", "--stdin"), "1 2\n" * 300000), (("sweep", "--n", "1", "--cos", "0:9"), None)]
+        for command, text in commands:
+            with open("/dev/full", "w") as full:
+                self.refused("standard output", *command, text=text, stdout=full)
+
+
+class Cosim(Case):
+    def setUp(self):
+        super().setUp()
+        if not OPTIONS.cosim:
+            self.skipTest("--cosim is not given")
+
+    def cosim(self, *arguments):
+        return self.good(*arguments, tool=OPTIONS.cosim)
+
+    def refused(self, pattern, *arguments, **settings):
+        super().refused(pattern, *arguments, tool=OPTIONS.cosim, **settings)
+
+    def test_help(self):
+        self.fits_a_screen(self.cosim("--help"), "glint-cosim")
+        self.equal(self.cosim("--version"), self.good("--version"))
+
+    def test_results(self):
+        profiles = OPTIONS.cosim_profiles
+        for profile in profiles:
+            table = self.cosim("--lobe", "bps", "--profile", profile, "--unit", "core,axis", "--n", "50",
+                               "--cos", "0:1000", "--json", "out.json", "--junit", "out.xml")
+            name = profile.replace(",", "_")
+            for unit in ("core", "axis"):
+                self.matches(table, rf"(?m)^bps +{name} +{unit} +stream +1 001 +0 ")
+            self.matches(table, r"\n2 of 2 runs passed, seed 1\n\Z")
+            runs = json.loads(self.read("out.json"))["runs"]
+            self.equal([(run["lobe"], run["profile"], run["unit"]) for run in runs],
+                       [("bps", name, "core"), ("bps", name, "axis")])
+            for run in runs:
+                self.equal((run["mismatches"], run["inputs"], run["exhaustive"]), (0, 1001, False))
+                self.true(run["latency_cycles"] > 0 and run["results_per_cycle"] == 1.0, f"{run}")
+            # Measured on the hardware's own results, the errors are those of the model.
+            self.good("sweep", "--profile", profile, "--n", "50", "--cos", "0:1000", "--json", "model.json")
+            (model,) = json.loads(self.read("model.json"))["runs"]
+            for run in runs:
+                self.equal(run["accuracy"], model["accuracy"])
+            suite = xml.etree.ElementTree.parse(self.folder / "out.xml").getroot()
+            self.equal((suite.tag, suite.get("tests"), suite.get("failures")), ("testsuite", "2", "0"))
+            self.equal([case.get("name") for case in suite], [f"bps {name} core stream", f"bps {name} axis stream"])
+            for case in suite:
+                self.equal(case.tag, "testcase")
+                self.true(float(case.get("time")) >= 0.0 and len(case) == 0, xml.etree.ElementTree.tostring(case))
+
+    def test_kinds(self):
+        profile = OPTIONS.cosim_profiles[0]
+        for arguments in (("--count", 1000), ("--count", 1000, "--stall-probability", 0.5), ("--resets", 3)):
+            table = self.cosim("--profile", profile, *arguments, "--seed", 5, "--json", "out.json")
+            self.matches(table, r"\n1 of 1 runs passed, seed 5\n\Z")
+            (run,) = json.loads(self.read("out.json"))["runs"]
+            self.equal((run["mismatches"], run["seed"]), (0, 5))
+            self.true(run["inputs"] >= 1000 or "--resets" in arguments, f"{run}")
+            self.true(run["inputs"] > 0, f"{run}")
+
+    def test_refused(self):
+        profile = OPTIONS.cosim_profiles[0]
+        name = profile.replace(",", "_")
+        few = ("--n", "50", "--cos", "0:5", "--profile", profile)
+        self.refused("nothing to run: .*--exhaustive", "--profile", profile)
+        self.refused(rf"'bps 12_11_10_9 core' is not in this build, which has: .*bps {name} core.*GLINT_PROFILES",
+                     *few[:4], "--profile", "12,11,10,9")
+        self.refused(rf"'bps {name} pci' is not in this build, which has: .*bps {name} axis", *few, "--unit", "pci")
+        self.refused("lobe 'phong' is not known: .*bps", *few, "--lobe", "phong")
+        self.refused("profile 'p9' is not legal", *few[:4], "--profile", "p9")
+        self.refused("--n '0' is not legal: .*1 to 1023", "--profile", profile, "--n", 0)
+        self.refused("--cos '5:4' is not legal", "--profile", profile, "--n", 1, "--cos", "5:4")
+        self.refused("--count.*0", "--count", 0)
+        self.refused("--count.*-1", "--count", -1)
+        self.refused("--resets.*0", "--resets", 0)
+        self.refused("--stall-probability.*1.5", *few, "--stall-probability", 1.5)
+        self.refused("--exhaustive", *few, "--exhaustive")
+        self.refused("--illegal", "--illegal", "--resets", 3)
+        self.refused("frob", *few, "frob")
+        self.refused("'missing/out.xml' cannot be written", *few, "--junit", "missing/out.xml")
+        self.refused("'missing/out.json' cannot be written", *few, "--json", "missing/out.json")
+        self.equal(self.files(), [])
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--glint", type=os.path.abspath, required=True)
+    parser.add_argument("--cosim", type=os.path.abspath, help="glint-cosim, if it is built")
+    parser.add_argument("--cosim-profile", dest="cosim_profiles", action="append", help="a profile that it has")
+    parser.add_argument("tests", nargs="*", help="classes, or Class.test_name; none: all")
+    parser.parse_args(namespace=OPTIONS)
+    if OPTIONS.cosim and not OPTIONS.cosim_profiles:
+        parser.error("--cosim needs --cosim-profile")
+    loader = unittest.TestLoader()
+    here = sys.modules[__name__]
+    suite = loader.loadTestsFromNames(OPTIONS.tests, here) if OPTIONS.tests else loader.loadTestsFromModule(here)
+    result = unittest.TextTestRunner(stream=sys.stdout).run(suite)
+    print(f"{Case.count} checks in {result.testsRun} tests, {len(result.failures) + len(result.errors)} tests failed")
+    return 0 if result.wasSuccessful() and Case.count > 0 else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())

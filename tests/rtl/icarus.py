@@ -1,0 +1,70 @@
+"""Verilog benches in Icarus Verilog, an event-driven simulator of four states that shares nothing with Verilator."""
+
+import re
+import subprocess
+from pathlib import Path
+
+RTL = Path(__file__).resolve().parents[2] / "rtl"
+
+
+class Failed(Exception):
+    """A run that is no success; the text says why."""
+
+
+def sources(rtl=RTL):
+    found = sorted(str(path) for path in Path(rtl).glob("*.v"))
+    if not found:
+        raise Failed(f"folder '{rtl}' holds no Verilog files")
+    return found
+
+
+def build(executable, top, files, parameters=None, macros=None):
+    """Compiles; a warning is a failure."""
+    command = ["iverilog", "-g2005", "-Wall", "-s", top, "-o", str(executable)]
+    command += [f"-P{top}.{name}={value}" for name, value in (parameters or {}).items()]
+    command += [f"-D{name}={value}" for name, value in (macros or {}).items()]
+    done = subprocess.run(command + [str(file) for file in files], capture_output=True, text=True)
+    if done.returncode != 0 or done.stdout or done.stderr:
+        raise Failed(f"{' '.join(command)}: exit status {done.returncode}\n{done.stdout}{done.stderr}")
+
+
+def run(executable, *arguments):
+    """Simulates and returns what the bench printed. A bench in Verilog-2005 cannot set the exit status."""
+    try:
+        done = subprocess.run(["vvp", "-n", str(executable), *arguments], capture_output=True, text=True, timeout=300)
+    except subprocess.TimeoutExpired:
+        raise Failed("the simulation did not end in 300 seconds") from None
+    if done.returncode != 0 or done.stderr or "WARNING" in done.stdout or "ERROR" in done.stdout:
+        raise Failed(f"vvp: exit status {done.returncode}\n{done.stdout}{done.stderr}")
+    return done.stdout
+
+
+def counts(output, things):
+    """How many were compared, and the mismatches: the last line of a bench."""
+    match = re.search(rf"(?:^|\n)(\d+) {things}, (\d+) mismatches\n\Z", output)
+    if not match:
+        raise Failed(f"no last line 'N {things}, M mismatches' in\n{output}")
+    return int(match[1]), int(match[2])
+
+
+def require(output, things, expected):
+    """Fails unless as many as expected were compared, more than none, and all were right."""
+    compared, mismatches = counts(output, things)
+    if expected < 1 or compared != expected or mismatches != 0:
+        raise Failed(f"{output}{expected} {things} and no mismatch were expected")
+
+
+def planted(folder, file, pattern, replacement):
+    """Copies rtl/ into a folder, with one line of one file changed."""
+    folder = Path(folder)
+    folder.mkdir()
+    for source in RTL.glob("*.v"):
+        text = source.read_text()
+        if source.name == file:
+            text, found = re.subn(pattern, replacement, text)
+            if found != 1:
+                raise Failed(f"'{pattern}' matches {found} times in {file}, not once")
+        (folder / source.name).write_text(text)
+    if not (folder / file).exists():
+        raise Failed(f"there is no {file}")
+    return folder

@@ -1,0 +1,160 @@
+#!/usr/bin/env python3
+"""Every unit through a tool with all its warnings on: it must print nothing.
+
+    lint.py verilator|iverilog|yosys FOLDER...     the folders of the wrappers
+
+The files of a unit are those that the table "Files" of docs/rtl.md lists. Also linted: the modules below a unit by
+themselves, with parameters at the ends of what is legal, and what rtl/*.f lists. At last, damaged copies of every unit,
+about which the tool must print something: a lint that finds nothing there finds nothing.
+"""
+
+import re
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+RTL = ROOT / "rtl"
+
+MODULES = {
+    "glint_divider": (
+        "X_W Y_W Q_W",
+        ((3, 1, 2), (3, 2, 2), (4, 2, 2), (3, 4, 2), (10, 5, 5), (9, 6, 5), (28, 26, 12), (34, 28, 16), (40, 30, 20),
+         (61, 40, 31)),
+    ),
+    "glint_delay": ("WIDTH STAGES", ((1, 1), (1, 2), (17, 1), (64, 40))),
+    "glint_skid": ("WIDTH", ((1,), (47,))),
+}
+
+
+class Failed(Exception):
+    pass
+
+
+def command(tool, top, files, parameters):
+    files = [str(file) for file in files]
+    if tool == "verilator":
+        return ["verilator", "--lint-only", "-Wall", "--top-module", top,
+                *(f"-G{name}={value}" for name, value in parameters.items()), *files]
+    if tool == "iverilog":
+        return ["iverilog", "-g2005", "-Wall", "-t", "null", "-s", top,
+                *(f"-P{top}.{name}={value}" for name, value in parameters.items()), *files]
+    chosen = "".join(f" -set {name} {value}" for name, value in parameters.items())
+    chosen = f"chparam{chosen} {top}; " if chosen else ""
+    script = f"read_verilog {' '.join(files)}; {chosen}hierarchy -check -top {top}; proc; opt; check -assert"
+    return ["yosys", "-q", "-e", ".*", "-p", script]
+
+
+def complaints(arguments, folder=ROOT):
+    done = subprocess.run(arguments, capture_output=True, text=True, cwd=folder)
+    output = done.stdout + done.stderr
+    return f"{' '.join(arguments)}: exit status {done.returncode}\n{output}" if done.returncode or output else ""
+
+
+def silent(arguments, folder=ROOT):
+    text = complaints(arguments, folder)
+    if text:
+        raise Failed(text)
+
+
+def file_table():
+    """From docs/rtl.md: the name of a unit, P in the place of its profile, and its files."""
+    table = {}
+    text = (ROOT / "docs/rtl.md").read_text()
+    for unit, files in re.findall(r"^\| `(glint_\w+_P)` \| (rtl/generated/.*) \|$", text, re.MULTILINE):
+        table[unit] = files.split(", ")
+    if not table:
+        raise Failed("docs/rtl.md has no table of files")
+    return table
+
+
+def units(folder, table):
+    """The units of the wrappers in a folder: their names and files."""
+    found = []
+    for wrapper in sorted(Path(folder).glob("*.v")):
+        profile = re.search(r"_(p\d+|\d+(?:_\d+)+)$", wrapper.stem)
+        unit = wrapper.stem[: profile.start()] + "_P" if profile else ""
+        if unit not in table:
+            raise Failed(f"{wrapper} is no unit that docs/rtl.md lists")
+        files = [wrapper if "/generated/" in file else ROOT / file for file in table[unit]]
+        found.append((wrapper.stem, files))
+    if not found:
+        raise Failed(f"folder '{folder}' holds no wrappers")
+    return found
+
+
+def lint_file_lists(tool, table):
+    """rtl/glint_bps.f and its like: the files of both units, one a line, relative to its folder."""
+    done = 0
+    for listing in sorted(RTL.glob("*.f")):
+        lines = [line for line in listing.read_text().splitlines() if line and not line.startswith("//")]
+        needed = {file for unit in table for file in table[unit] if unit.startswith(f"{listing.stem}_")}
+        if {f"rtl/{line}" for line in lines} != {file for file in needed if "/generated/" not in file}:
+            raise Failed(f"{listing} lists {lines}, docs/rtl.md other files")
+        for top in (f"{listing.stem}_p12", f"{listing.stem}_axis_p12"):
+            wrapper = f"generated/{top}.v"
+            if tool == "verilator":
+                silent(["verilator", "--lint-only", "-Wall", "--top-module", top, f"rtl/{wrapper}", "-F", str(listing)])
+                silent(["verilator", "--lint-only", "-Wall", "--top-module", top, wrapper, "-f", listing.name], RTL)
+            elif tool == "iverilog":
+                silent(["iverilog", "-g2005", "-Wall", "-t", "null", "-s", top, wrapper, "-f", listing.name], RTL)
+            else:
+                silent(command(tool, top, [wrapper, *lines], {}), RTL)
+            done += 1
+    if done == 0:
+        raise Failed("there is no rtl/*.f")
+    return done
+
+
+def lint_damaged(tool, top, files, folder):
+    """One port of the core too narrow: all three tools know that."""
+    damaged = Path(folder) / f"{top}.v"
+    text, found = re.subn(r"\(y_o\)|\(m_axis_tdata\)", lambda port: port[0][:-1] + "[3:0])", files[0].read_text())
+    if found != 1:
+        raise Failed(f"{files[0]}: {found} results, not one")
+    damaged.write_text(text)
+    if not complaints(command(tool, top, [damaged, *files[1:]], {})):
+        raise Failed(f"{tool} says nothing about a port of {top} that is too narrow")
+
+
+def lint(tool, folders):
+    table = file_table()
+    done = 0
+    with tempfile.TemporaryDirectory() as scratch:
+        for folder in folders:
+            for top, files in units(folder, table):
+                silent(command(tool, top, files, {}))
+                lint_damaged(tool, top, files, scratch)
+                done += 1
+    modules = 0
+    for top, (names, sets) in MODULES.items():
+        for values in sets:
+            silent(command(tool, top, [RTL / f"{top}.v"], dict(zip(names.split(), values))))
+            modules += 1
+    linted = {Path(file).name for files in table.values() for file in files}
+    for file in RTL.glob("*.v"):
+        if file.name not in linted:
+            raise Failed(f"{file} is in no unit that docs/rtl.md lists")
+    lists = lint_file_lists(tool, table)
+    print(f"{tool}: {done} units, {modules} modules with parameters, {lists} lists of files: silent")
+    print(f"{tool}: {done} damaged units: found")
+    if done == 0 or modules == 0:
+        raise Failed("nothing was linted")
+
+
+def main():
+    tool, *folders = sys.argv[1:]
+    if tool not in ("verilator", "iverilog", "yosys") or not folders:
+        print(f"lint.py: '{tool}' with {len(folders)} folders is not legal; see the head of this file", file=sys.stderr)
+        return 2
+    try:
+        lint(tool, folders)
+    except Failed as failed:
+        print(f"lint.py: FAILED: {failed}", file=sys.stderr)
+        return 1
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
