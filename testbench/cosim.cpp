@@ -157,8 +157,9 @@ Stimulus random_stimulus(const GoldenModel& model, const Request& request, std::
     }
     Random random(derived_seed(request.seed, place));
     while (out.n.size() < length) {
-        out.n.push_back(static_cast<std::uint16_t>(random.between(1, max_n)));
-        out.cos_code.push_back(static_cast<std::int32_t>(random.between(0, model.profile().one())));
+        const LegalInput input = random_legal_input(model.profile(), random);
+        out.n.push_back(static_cast<std::uint16_t>(input.n));
+        out.cos_code.push_back(input.cos_code);
     }
     out.stall_seed = random.next();
     out.first_tag = static_cast<std::uint32_t>(random.next());

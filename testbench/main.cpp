@@ -101,7 +101,7 @@ int main(int argc, char** argv) {
     CLI::Option* count = cli::add_integer(app, "--count", options.count, 1, std::int64_t{1} << 40,
                                           "So many random legal inputs, the corners first");
     CLI::Option* illegal = app.add_flag("--illegal", options.illegal,
-                                        "n = 0 with every code; every illegal code with n in {1, 2, 50, 1000, 1023}");
+                                        "n = 0 with every code, and illegal codes with n 1, 2, 50, 1000, 1023");
     CLI::Option* resets =
         cli::add_integer(app, "--resets", options.resets, 1, std::int64_t{1} << 40, "So many resets in mid-stream");
     app.add_option("--stall-probability", options.stall_probability,
@@ -113,6 +113,10 @@ int main(int argc, char** argv) {
     app.add_option("--trace", options.trace, "Waveform (FST) around the first mismatch");
     app.add_option("--json", options.json, "Write the results, per n and in total");
     app.add_option("--junit", options.junit, "Write the results as JUnit XML");
+    // Without this, the lists of what excludes what do not fit a screen.
+    for (CLI::Option* option : {count, resets}) option->option_text("INT");
+    for (CLI::Option* option : {n, cos}) option->option_text("TEXT");
+    for (CLI::Option* option : {exhaustive, illegal}) option->option_text(" ");
     exhaustive->excludes(n)->excludes(cos)->excludes(count)->excludes(illegal)->excludes(resets);
     count->excludes(n)->excludes(cos)->excludes(illegal)->excludes(resets);
     illegal->excludes(n)->excludes(cos)->excludes(resets);

@@ -16,16 +16,36 @@
 
 namespace glint::cli {
 
+namespace {
+
+/// What is wrong with the arguments. Where a subcommand is missing, CLI11 does not say what stood in its place.
+std::string explain(const CLI::ParseError& error, const CLI::App& app) {
+    const std::vector<std::string> extra = app.remaining();
+    if (app.get_require_subcommand_min() == 0 || !app.get_subcommands().empty() || extra.empty()) return error.what();
+    std::string known;
+    for (const CLI::App* command : app.get_subcommands(std::function<bool(const CLI::App*)>())) {
+        known += fmt::format("{}{}", known.empty() ? "" : ", ", command->get_name());
+    }
+    return fmt::format("subcommand '{}' is not known: {}", extra.front(), known);
+}
+
+}  // namespace
+
 int run(CLI::App& app, int argc, char** argv, const std::function<int()>& command) {
     app.set_version_flag("--version", GLINT_VERSION);
     try {
         app.parse(argc, argv);
-        return command();
+        const int status = command();
+        // What is still in the buffer is written here, where a failure can be told.
+        if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) throw Error("standard output cannot be written");
+        return status;
     } catch (const CLI::ParseError& error) {
         if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
-        fmt::print(stderr, "{}: {} (see {} --help)\n", app.get_name(), error.what(), app.get_name());
+        fmt::print(stderr, "{}: {} (see {} --help)\n", app.get_name(), explain(error, app), app.get_name());
     } catch (const Error& error) {
         fmt::print(stderr, "{}: {}\n", app.get_name(), error.what());
+    } catch (const std::system_error&) {  // fmt::print
+        fmt::print(stderr, "{}: standard output cannot be written\n", app.get_name());
     }
     return bad_arguments;
 }
@@ -46,17 +66,22 @@ void make_folder(const std::filesystem::path& folder) {
 }
 
 void write_file(const std::filesystem::path& path, std::string_view text) {
+    // /dev/stdout and other pipes and devices are written to; renaming would put a file in their place.
+    std::error_code unknown;
+    const std::filesystem::file_status there = std::filesystem::status(path, unknown);
+    const bool device = std::filesystem::exists(there) && !std::filesystem::is_regular_file(there) &&
+                        !std::filesystem::is_directory(there);
     // The process number keeps two commands that write the same file apart.
     std::filesystem::path temporary = path;
-    temporary += fmt::format(".{}.tmp", getpid());
+    if (!device) temporary += fmt::format(".{}.tmp", getpid());
     std::ofstream file(temporary, std::ios::binary);
     file.write(text.data(), static_cast<std::streamsize>(text.size()));
     file.close();
     std::error_code error;
-    if (file) std::filesystem::rename(temporary, path, error);
+    if (file && !device) std::filesystem::rename(temporary, path, error);
     if (!file || error) {
         std::error_code ignored;
-        std::filesystem::remove(temporary, ignored);
+        if (!device) std::filesystem::remove(temporary, ignored);
         throw Error(fmt::format("file '{}' cannot be written", path.string()));
     }
 }

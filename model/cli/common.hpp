@@ -43,7 +43,8 @@ CLI::Option* add_integer(CLI::App& app, const std::string& name, Integer& value,
         ->default_str(std::to_string(value));
 }
 
-/// Writes a file whole or not at all: under a temporary name beside it, then renamed. Throws Error.
+/// Writes a file whole or not at all: under a temporary name beside it, then renamed. A pipe or device is written to
+/// directly. Throws Error.
 void write_file(const std::filesystem::path& path, std::string_view text);
 
 /// Makes the folder if it is not there. Throws Error.

@@ -109,7 +109,9 @@ private:
                 fmt::format_to(std::back_inserter(out_), "{}\n", result.y);
             }
         }
-        std::fwrite(out_.data(), 1, out_.size(), stdout);
+        if (std::fwrite(out_.data(), 1, out_.size(), stdout) != out_.size()) {
+            throw Error("standard output cannot be written");
+        }
     }
 
     void check(int n, std::int64_t code) const {
@@ -155,8 +157,13 @@ void add_eval(CLI::App& app, Chosen& chosen) {
             if (options->from_stdin) return Stream(*model, options->port).run();
             if (n->count() == 0) throw Error("--n is missing: 1 to 1023 (or --stdin)");
             if (cosine->count() + code->count() == 0) throw Error("--cos or --cos-code is missing (or --stdin)");
-            const std::int64_t cos_code =
-                code->count() > 0 ? options->cos_code : quantize_cosine(options->cosine, model->profile().F);
+            std::int64_t cos_code = options->cos_code;
+            if (code->count() == 0) {
+                cos_code = quantize_cosine(options->cosine, model->profile().F);
+                if (!options->port && (cos_code < 0 || cos_code > model->profile().one())) {
+                    throw Error(fmt::format("cosine {} is not legal: 0 to 1", options->cosine));
+                }
+            }
             return show(*model, lobe, options->n, cos_code, options->port);
         };
     });

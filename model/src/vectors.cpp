@@ -34,6 +34,14 @@ std::int64_t Random::between(std::int64_t low, std::int64_t high) {
     return low + static_cast<std::int64_t>(next() % span);
 }
 
+LegalInput random_legal_input(const Profile& profile, Random& random) {
+    const std::int64_t one = profile.one();
+    const auto n = static_cast<int>(random.between(1, max_n));
+    const bool highlight = random.between(0, 1) == 0;
+    const std::int64_t reach = highlight ? std::min(one, 12 * one / n) : one;
+    return {n, static_cast<std::int32_t>(one - random.between(0, reach))};
+}
+
 std::vector<TestVector> corner_vectors(const GoldenModel& model) {
     const std::int64_t one = model.profile().one();
     std::vector<TestVector> out;
@@ -56,10 +64,13 @@ std::vector<TestVector> make_vectors(const GoldenModel& model, std::size_t count
     const std::int64_t one = model.profile().one();
     Random random(seed);
     while (out.size() < count) {
-        const bool any = random.between(0, 7) == 0;
-        const auto n = static_cast<int>(random.between(any ? 0 : 1, max_n));
-        const std::int64_t code = any ? random.between(-2 * one, 2 * one - 1) : random.between(0, one);
-        out.push_back(evaluated(model, n, code));
+        if (random.between(0, 7) == 0) {
+            const auto n = static_cast<int>(random.between(0, max_n));
+            out.push_back(evaluated(model, n, random.between(-2 * one, 2 * one - 1)));
+        } else {
+            const LegalInput input = random_legal_input(model.profile(), random);
+            out.push_back(evaluated(model, input.n, input.cos_code));
+        }
     }
     return out;
 }

@@ -10,6 +10,28 @@
 
 namespace glint {
 
+/// A small, portable source of random numbers (the distributions of <random> differ between libraries).
+class Random {
+public:
+    explicit Random(std::uint64_t seed) : state_(seed) {}
+    /// 64 random bits (SplitMix64: Steele, Lea, Flood 2014).
+    std::uint64_t next();
+    /// Uniform in low..high, both included; low <= high. The bias is below 2^-32 of the range.
+    std::int64_t between(std::int64_t low, std::int64_t high);
+
+private:
+    std::uint64_t state_;
+};
+
+struct LegalInput {
+    int n = 0;
+    std::int32_t cos_code = 0;
+};
+
+/// A random legal input: n uniform in 1..1023; the cosine in one half of all cases uniform in [0, 1], in the other half
+/// uniform where the highlight is, within 12 / n of 1, which a uniform choice hardly ever meets when n is large.
+LegalInput random_legal_input(const Profile& profile, Random& random);
+
 struct TestVector {
     int n = 0;
     std::int32_t cos_code = 0;
@@ -32,18 +54,5 @@ VectorFormat parse_vector_format(std::string_view text);
 
 /// The text of a vector file (docs/contract.md, section "File formats").
 std::string format_vectors(const std::vector<TestVector>& vectors, VectorFormat format);
-
-/// A small, portable source of random numbers (the distributions of <random> differ between libraries).
-class Random {
-public:
-    explicit Random(std::uint64_t seed) : state_(seed) {}
-    /// 64 random bits (SplitMix64: Steele, Lea, Flood 2014).
-    std::uint64_t next();
-    /// Uniform in low..high, both included; low <= high. The bias is below 2^-32 of the range.
-    std::int64_t between(std::int64_t low, std::int64_t high);
-
-private:
-    std::uint64_t state_;
-};
 
 }  // namespace glint
