@@ -97,14 +97,15 @@ int run_program(const fs::path& program, std::vector<std::string> arguments, con
     return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
 }
 
-/// What gnuplot says about an error is its last line that is not blank.
+/// What gnuplot says about an error, its last line that is not blank, as the end of a sentence.
 std::string last_line(const std::string& text) {
     std::istringstream lines(text);
     std::string out;
     for (std::string line; std::getline(lines, line);) {
-        if (line.find_first_not_of(" \t^") != std::string::npos) out = line;
+        const std::size_t begin = line.find_first_not_of(" \t^");
+        if (begin != std::string::npos) out = ": " + line.substr(begin);
     }
-    return out.substr(std::min(out.find_first_not_of(" \t"), out.size()));
+    return out;
 }
 
 }  // namespace
@@ -118,11 +119,11 @@ Pictures run_gnuplot(const std::string& script, const std::vector<std::string>& 
     // -d: a user's own settings would change the pictures.
     const int status = run_program(gnuplot, {"gnuplot", "-d", file.string()}, log);
     const std::string said = last_line(read_file(log));
-    if (status != 0) throw Error(fmt::format("gnuplot failed with exit status {}: {}", status, said));
+    if (status != 0) throw Error(fmt::format("gnuplot failed with exit status {}{}", status, said));
     Pictures out;
     for (const std::string& name : pictures) {
         std::string bytes = read_file(folder.path() / name);
-        if (bytes.empty()) throw Error(fmt::format("gnuplot ended without writing '{}': {}", name, said));
+        if (bytes.empty()) throw Error(fmt::format("gnuplot ended without writing '{}'{}", name, said));
         out.emplace(name, std::move(bytes));
     }
     return out;

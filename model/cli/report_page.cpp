@@ -16,7 +16,7 @@ constexpr std::string_view style = R"(
     --bad: #ff8a80; }
 }
 * { box-sizing: border-box; }
-body { margin: 0 auto; max-width: 60rem; padding: 1.5rem 1.25rem 4rem; background: var(--page); color: var(--text);
+body { margin: 0 auto; max-width: 66rem; padding: 1.5rem 1.25rem 4rem; background: var(--page); color: var(--text);
   font: 1rem/1.55 system-ui, -apple-system, "Segoe UI", Roboto, "Helvetica Neue", Arial, sans-serif;
   overflow-wrap: break-word; }
 h1 { margin: .5rem 0 .75rem; font-size: 1.9rem; line-height: 1.2; letter-spacing: -.01em; }
@@ -24,14 +24,17 @@ h2 { margin: 3rem 0 .75rem; padding-top: .75rem; border-top: 1px solid var(--lin
 p, dl { max-width: 46rem; }
 a { color: var(--accent); }
 code { font: .875em/1.45 ui-monospace, SFMono-Regular, Menlo, Consolas, monospace; }
-sup, sub { line-height: 0; }
+code span { display: inline-block; max-width: 100%; }
+sup, sub { font-size: .72em; line-height: 0; }
 dt { margin-top: .6rem; font-weight: 600; }
 dd { margin: 0; }
+.scroll { overflow-x: auto; }
 table { width: 100%; border-collapse: collapse; font-size: .875rem; font-variant-numeric: tabular-nums; }
 th, td { padding: .45rem .6rem; border-bottom: 1px solid var(--line); text-align: left; vertical-align: top; }
 thead th { border-bottom: 2px solid var(--line); color: var(--muted); font-weight: 600; vertical-align: bottom; }
-td.number, th.number { text-align: right; white-space: nowrap; }
+td.number, th.number { text-align: right; }
 tbody th { white-space: nowrap; }
+td span, td small { white-space: nowrap; }
 td small { display: block; color: var(--muted); font-size: .78rem; }
 .bad { color: var(--bad); font-weight: 700; }
 p.bad { padding: .6rem .8rem; border: 2px solid; border-radius: .4rem; }
@@ -77,6 +80,17 @@ std::string escaped(std::string_view text) {
     return out;
 }
 
+/// A command line, which breaks between its words only.
+std::string command_html(std::string_view command) {
+    std::string out = "<code>";
+    for (std::size_t begin = 0; begin <= command.size();) {
+        const std::size_t end = std::min(command.find(' ', begin), command.size());
+        out += fmt::format("{}<span>{}</span>", begin > 0 ? " " : "", escaped(command.substr(begin, end - begin)));
+        begin = end + 1;
+    }
+    return out + "</code>";
+}
+
 std::string base64(std::string_view bytes) {
     constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
     std::string out;
@@ -100,7 +114,8 @@ std::string grouped(std::uint64_t number) {
 }
 
 std::string place(const Worst& worst, int F) {
-    return fmt::format("n = {}, cos {:.6f} (code {})", worst.n, std::ldexp(worst.cos_code, -F), worst.cos_code);
+    return fmt::format("n&nbsp;=&nbsp;{}, cos&nbsp;{:.6f} (code&nbsp;{})", worst.n, std::ldexp(worst.cos_code, -F),
+                       worst.cos_code);
 }
 
 /// What a table's row is made of. The label stands in the heading, and before the value on narrow screens.
@@ -111,7 +126,7 @@ struct Cell {
 };
 
 std::string table_html(const std::vector<std::vector<Cell>>& rows) {
-    std::string out = "<table>\n<thead><tr>";
+    std::string out = "<div class=\"scroll\">\n<table>\n<thead><tr>";
     for (const Cell& cell : rows.front()) {
         out += fmt::format("<th scope=\"col\"{}>{}</th>", cell.number ? " class=\"number\"" : "", cell.label);
     }
@@ -128,7 +143,7 @@ std::string table_html(const std::vector<std::vector<Cell>>& rows) {
         }
         out += "</tr>\n";
     }
-    return out + "</tbody>\n</table>\n";
+    return out + "</tbody>\n</table>\n</div>\n";
 }
 
 class Page {
@@ -195,21 +210,37 @@ private:
         std::vector<std::vector<Cell>> rows;
         for (const MeasuredRun& measured : data_.measured) {
             rows.push_back(accuracy_cells(measured, measured.accuracy().total));
-            if (const Accuracy part = from_eight(measured.accuracy()); part.inputs > 0) {
+            if (const Accuracy part = published_part(measured.accuracy()); part.inputs > 0) {
                 rows.push_back(accuracy_cells(measured, part));
             }
         }
         return out + table_html(rows);
     }
 
-    /// The exponents for which the lobe `bps` was published, when the rows hold them and others.
-    static Accuracy from_eight(const SweepResult& accuracy) {
+    /// The lobe `bps` was published for n from here on; the smaller ones, where it errs most, would hide its error
+    /// there.
+    static constexpr int least_published_n = 8;
+
+    /// Empty when the rows begin there anyway.
+    static Accuracy published_part(const SweepResult& accuracy) {
         Accuracy out;
-        if (accuracy.rows.empty() || accuracy.rows.front().n >= 8) return out;
+        if (accuracy.rows.empty() || accuracy.rows.front().n >= least_published_n) return out;
         for (const AccuracyRow& row : accuracy.rows) {
-            if (row.n >= 8) out.merge(row.accuracy);
+            if (row.n >= least_published_n) out.merge(row.accuracy);
         }
         return out;
+    }
+
+    /// The exponents of the rows from `least` on.
+    static std::string exponents(const std::vector<AccuracyRow>& rows, int least) {
+        const auto first =
+            std::find_if(rows.begin(), rows.end(), [&](const AccuracyRow& row) { return row.n >= least; });
+        const auto count = rows.end() - first;
+        if (count == 0) return "–";
+        if (count == 1) return fmt::format("{}", first->n);
+        const int last = rows.back().n;
+        const bool all = count == last - first->n + 1;
+        return fmt::format("{} to {}{}", first->n, last, all ? "" : fmt::format("<small>{} values</small>", count));
     }
 
     std::vector<Cell> accuracy_cells(const MeasuredRun& measured, const Accuracy& a) const {
@@ -219,14 +250,9 @@ private:
                                std::ldexp(worst.cos_code, -F), worst.cos_code);
         };
         const bool total = &a == &measured.accuracy().total;
-        std::string exponents = "all";
-        if (!measured.accuracy().rows.empty()) {
-            exponents = fmt::format("{} to {}", total ? measured.accuracy().rows.front().n : 8,
-                                    measured.accuracy().rows.back().n);
-        }
         return {
             {"profile", measured.name(), false},
-            {"n", exponents},
+            {"n", exponents(measured.accuracy().rows, total ? 1 : least_published_n)},
             {"inputs", grouped(a.inputs) + (total && measured.run->exhaustive ? "<small>every legal one</small>" : "")},
             {"rounding, ulp", with_place(fmt::format("{:.4f}", a.rounding.value), a.rounding)},
             {"approximation, rounded cosine",
@@ -254,7 +280,7 @@ private:
     std::vector<Cell> run_cells(const ResultFile& file, const RunResult& run) const {
         std::vector<Cell> out{{"profile", run.lobe + " " + run.profile, false}, {"unit", run.unit, false}};
         std::string test = run.test;
-        if (run.hardware && run.test != "reset") {
+        if (run.hardware) {
             test += fmt::format("<small>stall probability {:g}, seed {}</small>", run.hardware->stall_probability,
                                 run.hardware->seed);
         }
@@ -304,9 +330,7 @@ private:
         return out;
     }
 
-    std::string own_command() const {
-        return fmt::format("<p>Computed by <code>{}</code></p>", escaped(data_.command));
-    }
+    std::string own_command() const { return fmt::format("<p>Computed by {}</p>", command_html(data_.command)); }
 
     std::string plots_section() const {
         const Curves& curves = data_.plots.curves;
@@ -357,22 +381,23 @@ private:
         const auto worst = std::max_element(schlick.begin(), schlick.end(),
                                             [](const AngleError& a, const AngleError& b) { return a.value < b.value; });
         std::string out =
-            "<p>Largest absolute error against c<sup>n</sup> at each n, of the fixed-point results.</p><ul>";
+            "<p>Largest absolute error against c<sup>n</sup> at each n, of the fixed-point results. f<sub>s</sub> is "
+            "exact at n = 1, so its curve begins at n = 2.</p><ul>";
         for (const MeasuredRun& measured : data_.plots.measured) {
             const Accuracy& total = measured.accuracy().total;
             const int F = measured.run->F;
             out += fmt::format(
                 "<li>{}: at the rounded cosine {:.5f} at {}; at the exact cosine {:.5f} at {}; inputs "
-                "tried: {}. <code>{}</code></li>",
+                "tried: {}. {}</li>",
                 measured.name(), total.approximation.value, place(total.approximation, F),
                 total.approximation_exact.value, place(total.approximation_exact, F), grouped(total.inputs),
-                escaped(measured.file->command));
+                command_html(measured.file->command));
         }
         out += fmt::format(
             "<li>f<sub>s</sub>, the real function in double, for comparison: {:.5f} at n = {}, {:.2f}°; "
-            "inputs tried: {}. <code>{}</code></li></ul>",
+            "inputs tried: {}. {}</li></ul>",
             worst->value, worst - schlick.begin() + 1, worst->degrees,
-            grouped(static_cast<std::uint64_t>(angles) * schlick.size()), escaped(data_.command));
+            grouped(static_cast<std::uint64_t>(angles) * schlick.size()), command_html(data_.command));
         return out;
     }
 
@@ -381,9 +406,9 @@ private:
             "<p>Largest error at each n against the lobe's own real function at the same input code.</p><ul>";
         for (const MeasuredRun& measured : data_.plots.measured) {
             const Accuracy& total = measured.accuracy().total;
-            out += fmt::format("<li>{}: {:.4f} ulp at {}; inputs tried: {}. <code>{}</code></li>", measured.name(),
+            out += fmt::format("<li>{}: {:.4f} ulp at {}; inputs tried: {}. {}</li>", measured.name(),
                                total.rounding.value, place(total.rounding, measured.run->F), grouped(total.inputs),
-                               escaped(measured.file->command));
+                               command_html(measured.file->command));
         }
         return out + "</ul>";
     }
@@ -394,12 +419,12 @@ private:
             "class=\"commands\">\n";
         for (std::size_t i = 0; i < data_.files.size(); ++i) {
             const ResultFile& file = data_.files[i];
-            out += fmt::format("<li id=\"command-{}\"><code>{}</code> ({} {})</li>\n", i + 1, escaped(file.command),
+            out += fmt::format("<li id=\"command-{}\">{} ({} {})</li>\n", i + 1, command_html(file.command),
                                escaped(file.tool), escaped(file.version));
         }
         out += "</ol>\n";
-        return out + fmt::format("<footer><p>This page: <code>{}</code> (glint {})</p></footer>\n",
-                                 escaped(data_.command), GLINT_VERSION);
+        return out + fmt::format("<footer><p>This page: {} (glint {})</p></footer>\n", command_html(data_.command),
+                                 GLINT_VERSION);
     }
 
     const PageData& data_;

@@ -18,10 +18,10 @@ struct Theme {
     std::string_view negative, zero, positive, outside;  // of the map
 };
 constexpr Theme light{"light",   "#1f2328", "#6e7781", "#dde2e8",
-                      "#1f2328", "#a8328a", "#0067b1", {"#b06f00", "#0067b1", "#00835f", "#7a4fd0"},
+                      "#8a939d", "#a8328a", "#0067b1", {"#b06f00", "#0067b1", "#1f2328", "#00835f"},
                       "#1b5faa", "#f6f6f4", "#b34700", "#1f2328"};
 constexpr Theme dark{"dark",    "#e6edf3", "#8b949e", "#2b323b",
-                     "#e6edf3", "#f08fd0", "#58b0f0", {"#f0b23c", "#58b0f0", "#3fcf9f", "#b79bff"},
+                     "#8b949e", "#f08fd0", "#58b0f0", {"#f0b23c", "#58b0f0", "#ffffff", "#3fcf9f"},
                      "#5aa9f5", "#12161c", "#ff9a4d", "#e6edf3"};
 
 struct Layout {
@@ -99,7 +99,7 @@ std::string begin(const std::string& file, const Theme& theme, int width, int he
             "set terminal pngcairo enhanced transparent font 'sans,11' fontscale 2 linewidth 2 size {},{}\n", 2 * width,
             2 * height);
     } else {
-        out += fmt::format("set terminal svg enhanced font 'sans-serif,14' size {},{}\n", width, height);
+        out += fmt::format("set terminal svg enhanced rounded font 'sans-serif,14' size {},{}\n", width, height);
     }
     out += fmt::format("set output '{}'\n", file);
     out += fmt::format("set border 3 linecolor rgb '{}'\n", theme.axis);
@@ -127,24 +127,31 @@ std::string key_name(const std::string& name) {
     return out;
 }
 
-/// A few rows are shown as points too, since a single one has no line.
-std::string_view line_style(const SweepResult& accuracy) {
-    return accuracy.rows.size() < 50 ? "linespoints pointtype 7 pointsize 0.4" : "lines";
+/// One column of a measured run over n. When colours come round again they are dotted. A few rows are shown as points
+/// too, since a single one has no line.
+std::string run_curve(const PlotData& data, const Theme& theme, std::size_t run, int column, double width,
+                      std::string_view dash) {
+    const std::size_t colours = std::size(theme.runs);
+    const std::size_t rows = data.measured[run].accuracy().rows.size();
+    return fmt::format(", $run{} using 1:{} with {} linewidth {:.2g} dashtype {} linecolor rgb '{}' title '{}'", run,
+                       column, rows < 50 ? "linespoints pointtype 7 pointsize 0.6" : "lines", width,
+                       run < colours ? dash : "(3,5)", theme.runs[run % colours], key_name(data.measured[run].name()));
 }
 
-std::string curves_panel(const Theme& theme) {
-    std::string out = "set xrange [0:45]\nset yrange [0:1]\nset xtics 5\nset format x '%g°'\nset ytics 0.2\n";
+std::string curves_panel(const Theme& theme, bool wide) {
+    std::string out = fmt::format("set xrange [0:45]\nset yrange [0:1]\nset xtics {}\n", wide ? 5 : 10);
+    out += "set format x '%g°'\nset ytics 0.2\n";
     out += "set xlabel 'angle of normal and half vector'\nset ylabel 'highlight' offset 1\n";
     out += fmt::format(
         "plot $curves using 1:3 with lines linewidth 2 dashtype (12,5) linecolor rgb '{}' title 'f_s, Schlick', "
-        "$curves using 1:2 with lines linewidth 4 linecolor rgb '{}' title 'c^n, Blinn-Phong', "
+        "$curves using 1:2 with lines linewidth 5 linecolor rgb '{}' title 'c^n, Blinn-Phong', "
         "$curves using 1:4 with lines linewidth 2 linecolor rgb '{}' title 'f_{{bps}}'\n",
         theme.schlick, theme.target, theme.bps);
     return out;
 }
 
 /// Column 2: at the rounded cosine, 3: at the exact one.
-std::string approximation_panel(const PlotData& data, const Theme& theme, bool wide_tics, int column) {
+std::string approximation_panel(const PlotData& data, const Theme& theme, int column) {
     double low = 0.1;
     double high = 0.2;
     for (const AngleError& error : data.schlick) high = std::max(high, error.value);
@@ -156,41 +163,42 @@ std::string approximation_panel(const PlotData& data, const Theme& theme, bool w
         }
     }
     low = round_down(low);
-    high = round_up(high);
-    std::string out = n_axis(wide_tics);
+    high *= 1.2;
+    std::string out = n_axis(false);
     out += fmt::format("set logscale y 10\nset yrange [{:g}:{:g}]\nset ytics {}\nset mytics 1\n", low, high,
                        log_tics(low, high));
     out += "set ylabel 'largest absolute error against c^n' offset 1\n";
     out += fmt::format("plot $schlick using 1:2 with lines linewidth 2 dashtype (12,5) linecolor rgb '{}' title 'f_s'",
                        theme.schlick);
-    // Curves of one lobe lie almost on each other: the earlier ones are drawn wider and stay visible.
-    const std::size_t count = data.measured.size();
-    for (std::size_t i = 0; i < count; ++i) {
-        out += fmt::format(", $run{} using 1:{} with {} linewidth {:g} linecolor rgb '{}' title '{}'", i, column,
-                           line_style(data.measured[i].accuracy()), 1.5 + 2.5 * static_cast<double>(count - 1 - i),
-                           theme.runs[i % std::size(theme.runs)], key_name(data.measured[i].name()));
+    // Curves of one lobe lie almost on each other: wide, narrow, and broken on top, all of them can be seen.
+    const std::size_t last = data.measured.size() - 1;
+    for (std::size_t i = 0; i <= last; ++i) {
+        const double width = last == 0 ? 2.0 : 4.5 - 3.0 * static_cast<double>(i) / static_cast<double>(last);
+        out += run_curve(data, theme, i, column, width, i > 0 && i == last ? "(5,7)" : "solid");
     }
     return out + "\n";
 }
 
-std::string rounding_panel(const PlotData& data, const Theme& theme, bool wide_tics) {
+std::string rounding_panel(const PlotData& data, const Theme& theme, bool wide) {
+    double low = 0.5;
     double high = 1.0;
     for (const MeasuredRun& measured : data.measured) {
-        for (const AccuracyRow& row : measured.accuracy().rows) high = std::max(high, row.accuracy.rounding.value);
+        for (const AccuracyRow& row : measured.accuracy().rows) {
+            low = std::min(low, row.accuracy.rounding.value);
+            high = std::max(high, row.accuracy.rounding.value);
+        }
     }
-    std::string out = n_axis(wide_tics);
-    out += fmt::format("set yrange [0.4:{:g}]\nset ytics 0.1\n", high + 0.1);
+    std::string out = n_axis(wide);
+    out += fmt::format("set yrange [{:g}:{:g}]\n", std::floor(10 * low) / 10, high + 0.1);
     out += "set ylabel 'largest rounding error in ulp' offset 1\n";
-    out += fmt::format("plot 1 with lines linewidth 2 dashtype (12,5) linecolor rgb '{}' title '1 ulp'", theme.text);
+    out += fmt::format("plot 1 with lines linewidth 2 dashtype (12,5) linecolor rgb '{}' title '1 ulp'", theme.axis);
     for (std::size_t i = 0; i < data.measured.size(); ++i) {
-        out += fmt::format(", $run{} using 1:4 with {} linewidth 1.5 linecolor rgb '{}' title '{}'", i,
-                           line_style(data.measured[i].accuracy()), theme.runs[i % std::size(theme.runs)],
-                           key_name(data.measured[i].name()));
+        out += run_curve(data, theme, i, 4, 1.2, "solid");
     }
     return out + "\n";
 }
 
-std::string map_panel(const ErrorMap& map, const Theme& theme) {
+std::string map_panel(const ErrorMap& map, const Theme& theme, bool wide) {
     const double x_step = map.log_n(1);
     const double y_low = map.log_degrees(0);
     const double y_step = map.log_degrees(1) - y_low;
@@ -208,11 +216,11 @@ std::string map_panel(const ErrorMap& map, const Theme& theme) {
     out += ")\nset xlabel 'specular exponent n'\nset ylabel 'angle of normal and half vector' offset 1\n";
     out += fmt::format("set palette defined (-1 '{}', 0 '{}', 1 '{}')\n", theme.negative, theme.zero, theme.positive);
     out += fmt::format("set cbrange [-{0:g}:{0:g}]\n", map_scale);
-    out += "set cbtics ";
-    out += fmt::format(
-        "('≤ −{0:g}' -{0:g}, '−{1:g}' -{1:g}, '0' 0, '+{1:g}' {1:g}, '≥ +{0:g}' {0:g}) offset 0,2.6 scale 0\n",
-        map_scale, map_scale / 2);
-    out += "set tmargin 4\nset colorbox horizontal user origin graph 0, graph 1.03 size graph 1, graph 0.03\n";
+    // Narrow screens have room for three labels.
+    out += fmt::format("set cbtics ('≤ −{0:g}' -{0:g}, '0' 0, '≥ +{0:g}' {0:g}) offset 0,2.6 scale 0\n", map_scale);
+    if (wide) out += fmt::format("set cbtics add ('−{0:g}' -{0:g}, '+{0:g}' {0:g})\n", map_scale / 2);
+    out += "set tmargin 4\nset rmargin 5\n";
+    out += "set colorbox horizontal user origin graph 0, graph 1.03 size graph 1, graph 0.03\n";
     out += fmt::format(
         "plot $map matrix using ({:g}*$1):({:g}+{:g}*$2):3 with image, "
         "log10(atan(1 / sqrt(10**x - 1)) * 180 / pi) with lines linewidth 1.5 dashtype (12,5) linecolor rgb '{}'\n",
@@ -229,12 +237,12 @@ std::string page_plots(const PlotData& data, const Theme& theme, const Layout& l
         return begin(pictures.back(), theme, layout.width, height);
     };
     const bool wide = layout.wide();
-    std::string out = start(curves_plot, wide ? 400 : 340) + curves_panel(theme) + end();
-    out += start(map_plot, wide ? 480 : 380) + map_panel(data.map, theme) + end();
+    std::string out = start(curves_plot, wide ? 400 : 340) + curves_panel(theme, wide) + end();
+    out += start(map_plot, wide ? 480 : 380) + map_panel(data.map, theme, wide) + end();
     if (data.measured.empty()) return out;
     out += start(approximation_plot, wide ? 440 : 760) + multiplot(wide ? 1 : 2, wide ? 2 : 1);
-    out += "set title 'at the rounded cosine'\n" + approximation_panel(data, theme, false, 2);
-    out += "set title 'at the exact cosine'\n" + approximation_panel(data, theme, false, 3);
+    out += "set title 'at the rounded cosine'\n" + approximation_panel(data, theme, 2);
+    out += "set title 'at the exact cosine'\n" + approximation_panel(data, theme, 3);
     out += "unset multiplot\n" + end();
     out += start(rounding_plot, wide ? 400 : 340) + rounding_panel(data, theme, wide) + end();
     return out;
@@ -243,9 +251,9 @@ std::string page_plots(const PlotData& data, const Theme& theme, const Layout& l
 std::string overview(const PlotData& data, const Theme& theme, std::vector<std::string>& pictures) {
     pictures.push_back(overview_file(theme.name));
     std::string out = begin(pictures.back(), theme, 960, 400) + multiplot(1, 2);
-    out += fmt::format("set title 'Highlight at n = {}'\n", data.curves.n) + curves_panel(theme);
-    out += "set format x\nset title 'Error of the fixed-point results'\n";
-    out += approximation_panel(data, theme, false, 2);
+    out += fmt::format("set title 'The highlight at n = {}'\n", data.curves.n) + curves_panel(theme, false);
+    out += "set format x\nset title 'Approximation error at the rounded cosine'\n";
+    out += approximation_panel(data, theme, 2);
     return out + "unset multiplot\n" + end();
 }
 
