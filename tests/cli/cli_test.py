@@ -509,6 +509,40 @@ class Emit(Case):
         self.equal({name: self.read(name) for name in self.files()}, first)
 
 
+class Report(Case):
+    """The page of results: whole, self-contained, and refused where it would say nothing."""
+
+    def results(self, **changes):
+        self.good("sweep", "--profile", "p8", "--n", "1:20", "--cos", "0:65536:16", "--json", "sweep.json")
+        results = json.loads(self.read("sweep.json"))
+        results["runs"][0].update(changes)
+        (self.folder / "sweep.json").write_text(json.dumps(results))
+
+    def test_page(self):
+        self.results()
+        self.good("report", "--results", "sweep.json", "-o", "page")
+        self.equal(self.files(), ["page/index.html", "page/overview-dark.svg", "page/overview-light.svg", "sweep.json"])
+        page = self.read("page/index.html")
+        total = json.loads(self.read("sweep.json"))["runs"][0]["accuracy"]["total"]
+        self.true(f"{total['inputs']:,}" in page, "the number of inputs is not on the page")
+        self.true(f"{total['rounding']['max_ulp']:.4f}" in page, "the rounding error is not on the page")
+        self.true("glint sweep --profile p8 --n 1:20" in re.sub("</?span>", "", page), "the command behind the figures is not on the page")
+        self.equal(re.findall(r'(?:src|href|srcset)="(?!data:|#)[^"]*"', page), [], "resources outside the page")
+        for name in ("page/overview-dark.svg", "page/overview-light.svg"):
+            xml.etree.ElementTree.fromstring(self.read(name))
+
+    def test_refused(self):
+        self.refused("missing.json", "report", "--results", "missing.json", "-o", "page")
+        (self.folder / "broken.json").write_text("{")
+        self.refused("broken.json", "report", "--results", "broken.json", "-o", "page")
+        self.results(inputs=0)
+        self.refused("inputs", "report", "--results", "sweep.json", "-o", "page")
+        self.results()
+        (self.folder / "empty").mkdir()
+        self.refused("gnuplot", "report", "--results", "sweep.json", "-o", "page", env={"PATH": str(self.folder / "empty")})
+        self.equal([name for name in self.files() if name.startswith("page")], [], "a page was left behind")
+
+
 class Files(Case):
     """An output file is written whole or not at all, and nothing else is left behind."""
 
