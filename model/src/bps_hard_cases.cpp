@@ -7,7 +7,7 @@ namespace glint {
 
 std::vector<HardCase> bps_hard_cases(const GoldenModel& model) {
     const int one = model.profile().one();
-    const std::string everywhere = "cosim.exhaustive, hls.*, Gappa";
+    const std::string everywhere = "cosim.exhaustive, labels hls and proof";
     // The code whose Schlick fraction is nearest to s: c = n s / (1 + (n - 1) s).
     const auto at = [&](double s, int n) {
         return static_cast<std::int32_t>(std::lround(n * s / (1.0 + (n - 1) * s) * one));
@@ -37,15 +37,16 @@ std::vector<HardCase> bps_hard_cases(const GoldenModel& model) {
          everywhere + "; unit: sign changes"},
         {"largest h2", 50, at(0.918, 50), "h2 reaches 1.001: one integer bit and a sign, not a fraction",
          everywhere + "; unit: widths"},
-        {"n = 0", 0, one / 2, "(n - 1) would wrap to 1023; counts as 1", "cosim.illegal_p8, hls.*, oracle"},
+        {"n = 0", 0, one / 2, "(n - 1) would wrap to 1023; counts as 1", "cosim.illegal_p8, labels hls and oracle"},
         {"c just above 1", 50, one + 1, "1 - c would be negative and D too small; counts as 1",
-         "cosim.illegal_p8, hls.*, oracle"},
-        {"greatest code", 1023, 2 * one - 1, "as above, at the end of the port", "cosim.illegal_p8, hls.*, oracle"},
+         "cosim.illegal_p8, labels hls and oracle"},
+        {"greatest code", 1023, 2 * one - 1, "as above, at the end of the port",
+         "cosim.illegal_p8, labels hls and oracle"},
         {"c just below 0", 50, -1, "would be a huge unsigned number; the result is 0",
-         "cosim.illegal_p8, hls.*, oracle"},
-        {"least code", 1, -2 * one, "its negative does not fit the port", "cosim.illegal_p8, hls.*, oracle"},
+         "cosim.illegal_p8, labels hls and oracle"},
+        {"least code", 1, -2 * one, "its negative does not fit the port", "cosim.illegal_p8, labels hls and oracle"},
         {"n = 0 and c < 0", 0, -one, "two corrections at once: the result is 0, clamped once",
-         "cosim.illegal_p8, hls.*, oracle"},
+         "cosim.illegal_p8, labels hls and oracle"},
     };
 }
 

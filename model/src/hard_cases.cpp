@@ -12,8 +12,8 @@ std::string hard_cases_page() {
     std::string out =
         "# Hard cases\n\n"
         "Written by `glint cases`; a test keeps it current. For each named case: the input, what could go wrong, what\n"
-        "comes out, and by which test or proof it is covered. `cosim.*`, `hls.*`, `oracle`, `formal` are CTest names;\n"
-        "`unit` is a test case of glint-unit-tests; Gappa is the proof in proofs/gappa, which holds for all inputs.\n";
+        "comes out, and by which test or proof it is covered. `cosim.*` are CTest names; hls, proof (Gappa, for all\n"
+        "inputs) and oracle are CTest labels; `unit` is a test case of glint-unit-tests.\n";
     for (const Lobe& lobe : lobes()) {
         out += fmt::format("\n## {}\n", lobe.name);
         std::vector<std::unique_ptr<GoldenModel>> models;
@@ -41,12 +41,12 @@ std::string hard_cases_page() {
         "\n## Streams\n\n"
         "| case | what could go wrong | what comes out | covered by |\n"
         "|---|---|---|---|\n"
-        "| stall with a full pipeline | a result is overwritten or shown twice | every result once, in order | formal, "
+        "| stall with a full pipeline | a result is overwritten or shown twice | every result once, in order | "
         "cosim.exhaustive_stalls_p8, cosim.heavy_stalls |\n"
-        "| bubbles among inputs | a bubble comes out as a result | as many results as inputs | formal, cosim.stalls |\n"
+        "| bubbles among inputs | a bubble comes out as a result | as many results as inputs | cosim.stalls |\n"
         "| stall in the clock in which the skid buffer fills | the item in flight is lost | it waits in the spare "
-        "register | formal, cosim.axis_stalls |\n"
-        "| reset in mid-stream | old results come out after it | nothing of what was in flight | formal, cosim.reset "
+        "register | cosim.axis_stalls |\n"
+        "| reset in mid-stream | old results come out after it | nothing of what was in flight | cosim.reset "
         "|\n"
         "| random register contents at power-up | a register without reset shows | only valid bits count, and they are "
         "reset | every cosim run (registers start random) |\n"
