@@ -29,8 +29,8 @@ std::unique_ptr<GoldenModel> make_bps(const Profile& profile);
 /// bps_format does.
 std::string bps_gappa_script(const Profile& profile);
 
-/// The Verilog wrappers, the HLS header and the Gappa script with the constants of a profile. Throws Error as bps_format
-/// does.
+/// The Verilog wrappers, the HLS header and the Gappa script with the constants of a profile. Throws Error as
+/// bps_format does.
 std::vector<GeneratedFile> emit_bps(const Profile& profile);
 
 }  // namespace glint
