@@ -36,15 +36,15 @@ install_missing() {
     need libcli11-dev file_there '/usr/include/CLI/CLI.hpp'
     need nlohmann-json3-dev file_there '/usr/include/nlohmann/json.hpp'
     need zlib1g-dev file_there '/usr/include/zlib.h'
+    need gappa command_there gappa
+    need python3 command_there python3
     if [ "$1" = test ]; then
         need catch2 file_there '/usr/include/catch2/catch*.hpp'
         need libbenchmark-dev file_there '/usr/include/benchmark/benchmark.h'
         need iverilog command_there iverilog
         need yosys command_there yosys
         need z3 command_there z3
-        need gappa command_there gappa
         need sollya command_there sollya
-        need python3 command_there python3
         need clang-format command_there clang-format
         # 32-bit headers for the check of the HLS kernel's object file; there is no such package but on x86-64.
         [ "$(uname -m)" != x86_64 ] || need g++-multilib file_there '/usr/lib/gcc/x86_64-linux-gnu/*/32/libgcc.a'

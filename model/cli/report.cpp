@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <optional>
 
 #include <fmt/format.h>
 
@@ -18,6 +19,11 @@ int report(const ReportOptions& options) {
     for (const std::string& path : options.results) {
         files.push_back(read_results(path));
         command += " " + path;
+    }
+    std::optional<ProofsFile> proofs;
+    if (!options.proofs.empty()) {
+        proofs = read_proofs(options.proofs);
+        command += " --proofs " + options.proofs;
     }
     command += " -o " + options.output;
 
@@ -36,7 +42,7 @@ int report(const ReportOptions& options) {
     for (const std::string_view theme : themes) {
         if (!plots.measured.empty()) write(overview_file(theme), pictures.at(overview_file(theme)));
     }
-    write("index.html", page({files, measured, plots, pictures, command}));
+    write("index.html", page({files, proofs, measured, plots, pictures, command}));
     return success;
 }
 

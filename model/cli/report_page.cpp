@@ -5,6 +5,9 @@
 
 #include <fmt/format.h>
 
+#include "glint/hard_cases.hpp"
+#include "glint/lobes.hpp"
+
 namespace glint::cli {
 namespace {
 
@@ -21,6 +24,7 @@ body { margin: 0 auto; max-width: 66rem; padding: 1.5rem 1.25rem 4rem; backgroun
   overflow-wrap: break-word; }
 h1 { margin: .5rem 0 .75rem; font-size: 1.9rem; line-height: 1.2; letter-spacing: -.01em; }
 h2 { margin: 3rem 0 .75rem; padding-top: .75rem; border-top: 1px solid var(--line); font-size: 1.3rem; }
+h3 { margin: 1.75rem 0 .5rem; font-size: 1.05rem; }
 p, dl { max-width: 46rem; }
 a { color: var(--accent); }
 code { font: .875em/1.45 ui-monospace, SFMono-Regular, Menlo, Consolas, monospace; }
@@ -35,6 +39,8 @@ thead th { border-bottom: 2px solid var(--line); color: var(--muted); font-weigh
 td.number, th.number { text-align: right; }
 tbody th { white-space: nowrap; }
 td span, td small { white-space: nowrap; }
+td.words, tbody th.words { min-width: 8.5rem; }
+td.words span, tbody th.words { white-space: normal; }
 td small { display: block; color: var(--muted); font-size: .78rem; }
 .bad { color: var(--bad); font-weight: 700; }
 p.bad { padding: .6rem .8rem; border: 2px solid; border-radius: .4rem; }
@@ -54,6 +60,8 @@ footer { margin-top: 3rem; color: var(--muted); font-size: .9rem; }
     border: 0; text-align: right; white-space: normal; }
   tbody th { font-size: 1rem; }
   td::before { content: attr(data-label); flex: none; max-width: 45%; color: var(--muted); text-align: left; }
+  tbody td.words { display: block; text-align: left; }
+  td.words::before { display: block; max-width: none; font-size: .78rem; }
 }
 )";
 
@@ -118,27 +126,52 @@ std::string place(const Worst& worst, int F) {
                        worst.cos_code);
 }
 
+std::string small_place(const Worst& worst, int F) {
+    return fmt::format("<small>n = {}, cos {:.6f}<br>code {}</small>", worst.n, std::ldexp(worst.cos_code, -F),
+                       worst.cos_code);
+}
+
+/// `code` of Markdown, which is all of it that occurs.
+std::string markdown_html(std::string_view text) {
+    std::string out;
+    bool code = false;
+    for (const char c : text) {
+        if (c == '`') {
+            code = !code;
+            out += code ? "<code>" : "</code>";
+        } else {
+            out += escaped({&c, 1});
+        }
+    }
+    return out;
+}
+
 /// What a table's row is made of. The label stands in the heading, and before the value on narrow screens.
 struct Cell {
     std::string_view label;
     std::string html;
-    bool number = true;
+    enum Kind { name, number, words } kind = number;
 };
+
+std::string_view css_class(Cell::Kind kind) {
+    if (kind == Cell::number) return " class=\"number\"";
+    return kind == Cell::words ? " class=\"words\"" : "";
+}
 
 std::string table_html(const std::vector<std::vector<Cell>>& rows) {
     std::string out = "<div class=\"scroll\">\n<table>\n<thead><tr>";
     for (const Cell& cell : rows.front()) {
-        out += fmt::format("<th scope=\"col\"{}>{}</th>", cell.number ? " class=\"number\"" : "", cell.label);
+        out += fmt::format("<th scope=\"col\"{}>{}</th>", css_class(cell.kind), escaped(cell.label));
     }
     out += "</tr></thead>\n<tbody>\n";
     for (const std::vector<Cell>& row : rows) {
         out += "<tr>";
         for (const Cell& cell : row) {
             if (&cell == &row.front()) {
-                out += fmt::format("<th scope=\"row\">{}</th>", cell.html);
+                out += fmt::format("<th scope=\"row\"{}>{}</th>", css_class(cell.kind), cell.html);
             } else {
-                out += fmt::format("<td data-label=\"{}\"{}><span>{}</span></td>", cell.label,
-                                   cell.number ? " class=\"number\"" : "", cell.html);
+                out += fmt::format("<td data-label=\"{}\"{}><span>{}</span></td>", escaped(cell.label),
+                                   css_class(cell.kind), cell.html);
             }
         }
         out += "</tr>\n";
@@ -159,7 +192,8 @@ public:
             "<title>Glint: measured results</title>\n<style>";
         out += style;
         out += "</style>\n</head>\n<body>\n";
-        out += introduction() + accuracy_section() + runs_section() + plots_section() + commands_section();
+        out += introduction() + accuracy_section() + proofs_section() + runs_section() + plots_section();
+        out += hard_cases_section() + commands_section();
         return out + "</body>\n</html>\n";
     }
 
@@ -246,12 +280,11 @@ private:
     std::vector<Cell> accuracy_cells(const MeasuredRun& measured, const Accuracy& a) const {
         const int F = measured.run->F;
         const auto with_place = [F](const std::string& value, const Worst& worst) {
-            return fmt::format("{}<small>n = {}, cos {:.6f}<br>code {}</small>", value, worst.n,
-                               std::ldexp(worst.cos_code, -F), worst.cos_code);
+            return value + small_place(worst, F);
         };
         const bool total = &a == &measured.accuracy().total;
         return {
-            {"profile", measured.name(), false},
+            {"profile", measured.name(), Cell::name},
             {"n", exponents(measured.accuracy().rows, total ? 1 : least_published_n)},
             {"inputs", grouped(a.inputs) + (total && measured.run->exhaustive ? "<small>every legal one</small>" : "")},
             {"rounding, ulp", with_place(fmt::format("{:.4f}", a.rounding.value), a.rounding)},
@@ -262,6 +295,94 @@ private:
             {"epicentre, relative",
              a.epicentre.seen() ? with_place(fmt::format("{:.3f} %", 100 * a.epicentre.value), a.epicentre) : "–"},
             {"from", source(*measured.file)}};
+    }
+
+    std::string proofs_section() const {
+        std::string out = "<h2 id=\"proven\">Proven bounds</h2>\n";
+        if (!data_.proofs) {
+            return out +
+                   "<p>For this table write <code>proofs.json</code> with "
+                   "<code>proofs/gappa/run.py --measured RESULTS --json proofs.json</code>, which needs the package "
+                   "<code>gappa</code>, and give <code>--proofs proofs.json</code> to <code>glint report</code>.</p>\n";
+        }
+        out += fmt::format(
+            "<p>What Gappa proves of the rounding error, for all real cosines in [0, 1] and all real n in [1, {0}], so "
+            "for every input, tried or not; beside it the largest error measured. The nearer their ratio is to 1, the "
+            "less the proof gives away. Proven and compared by <a href=\"#command-{1}\">[{1}]</a>.</p>\n",
+            max_n, data_.files.size() + 1);
+        std::vector<std::vector<Cell>> rows;
+        for (const Proof& proof : data_.proofs->proofs) {
+            for (const std::string& failure : proof.failures) {
+                out += fmt::format("<p class=\"bad\">{}: {}</p>\n", proof.name(), escaped(failure));
+            }
+            out += contradiction(proof);
+            rows.push_back(proof_cells(proof));
+        }
+        return out + table_html(rows);
+    }
+
+    /// The measured errors of this page need not be those that the proofs were compared with.
+    std::string contradiction(const Proof& proof) const {
+        for (const MeasuredRun& measured : data_.measured) {
+            const double ulp = measured.accuracy().total.rounding.value;
+            if (measured.name() == proof.name() && proof.ulp && ulp > *proof.ulp) {
+                return fmt::format(
+                    "<p class=\"bad\">{}: the rounding error of the results, {:.6f} ulp, is above the "
+                    "proven bound.</p>\n",
+                    proof.name(), ulp);
+            }
+        }
+        return {};
+    }
+
+    static std::vector<Cell> proof_cells(const Proof& proof) {
+        std::vector<Cell> out{
+            {"profile", proof.name(), Cell::name},
+            // Rounded up: what is shown is proven, too.
+            {"proven, ulp", proof.ulp ? fmt::format("{:.4f}", std::ceil(*proof.ulp * 1e4) / 1e4) : std::string("–")}};
+        if (!proof.measured) {
+            for (const std::string_view label : {"measured, ulp", "measured / proven", "inputs measured"}) {
+                out.push_back({label, "–"});
+            }
+            return out;
+        }
+        const Proof::Measured& measured = *proof.measured;
+        out.push_back({"measured, ulp", fmt::format("{:.4f}", measured.ulp) +
+                                            (measured.worst ? small_place(*measured.worst, measured.F) : "")});
+        out.push_back(
+            {"measured / proven", proof.ulp ? fmt::format("{:.3f}", measured.ulp / *proof.ulp) : std::string("–")});
+        out.push_back({"inputs measured",
+                       grouped(measured.inputs) + (measured.exhaustive ? "<small>every legal one</small>" : "")});
+        return out;
+    }
+
+    std::string hard_cases_section() const {
+        std::string out =
+            fmt::format("<h2 id=\"hard-cases\">Hard cases</h2>\n<p>{}</p>\n", markdown_html(hard_case_legend()));
+        for (const Lobe& lobe : lobes()) {
+            const bool reported = std::any_of(data_.files.begin(), data_.files.end(), [&](const ResultFile& file) {
+                return std::any_of(file.runs.begin(), file.runs.end(),
+                                   [&](const RunResult& run) { return run.lobe == lobe.name; });
+            });
+            if (reported) out += hard_cases_html(hard_case_table(lobe));
+        }
+        return out + hard_cases_html(stream_case_table());
+    }
+
+    static std::string hard_cases_html(const HardCaseTable& table) {
+        std::vector<std::vector<Cell>> rows;
+        for (const std::vector<std::string>& texts : table.rows) {
+            std::vector<Cell>& row = rows.emplace_back();
+            for (std::size_t i = 0; i < texts.size(); ++i) {
+                std::string html = escaped(texts[i]);
+                // Input and result on a line each: three profiles fit a screen side by side.
+                if (const std::size_t arrow = html.find("-&gt;"); i >= table.sentences && arrow != std::string::npos) {
+                    html.insert(arrow, "<br>");
+                }
+                row.push_back({table.columns[i], html, i < table.sentences ? Cell::words : Cell::number});
+            }
+        }
+        return fmt::format("<h3>{}</h3>\n", escaped(table.title)) + table_html(rows);
     }
 
     std::string runs_section() const {
@@ -278,13 +399,13 @@ private:
     }
 
     std::vector<Cell> run_cells(const ResultFile& file, const RunResult& run) const {
-        std::vector<Cell> out{{"profile", run.lobe + " " + run.profile, false}, {"unit", run.unit, false}};
+        std::vector<Cell> out{{"profile", run.lobe + " " + run.profile, Cell::name}, {"unit", run.unit, Cell::name}};
         std::string test = run.test;
         if (run.hardware) {
             test += fmt::format("<small>stall probability {:g}, seed {}</small>", run.hardware->stall_probability,
                                 run.hardware->seed);
         }
-        out.push_back({"test", test, false});
+        out.push_back({"test", test, Cell::name});
         out.push_back({"inputs", grouped(run.inputs) + (run.exhaustive ? "<small>every legal one</small>" : "")});
         if (run.hardware) {
             const HardwareResult& hardware = *run.hardware;
@@ -421,6 +542,10 @@ private:
             const ResultFile& file = data_.files[i];
             out += fmt::format("<li id=\"command-{}\">{} ({} {})</li>\n", i + 1, command_html(file.command),
                                escaped(file.tool), escaped(file.version));
+        }
+        if (data_.proofs) {
+            out += fmt::format("<li id=\"command-{}\">{}</li>\n", data_.files.size() + 1,
+                               command_html(data_.proofs->command));
         }
         out += "</ol>\n";
         return out + fmt::format("<footer><p>This page: {} (glint {})</p></footer>\n", command_html(data_.command),

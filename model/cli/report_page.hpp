@@ -1,6 +1,7 @@
 // The page of the report, as one HTML text that refers to nothing outside itself.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,6 +11,7 @@ namespace glint::cli {
 
 struct PageData {
     const std::vector<ResultFile>& files;
+    const std::optional<ProofsFile>& proofs;
     std::vector<MeasuredRun> measured;
     const PlotData& plots;
     const Pictures& pictures;

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "glint/error.hpp"
+#include "glint/lobes.hpp"
 
 namespace glint::cli {
 namespace {
@@ -49,6 +50,13 @@ public:
         });
         if (!legal) fail(key, "a name of letters, digits, '_' and '-'");
         return out;
+    }
+
+    std::vector<std::string> texts(const char* key) const {
+        const Json& list = value(key);
+        const auto is_text = [](const Json& item) { return item.is_string(); };
+        if (!list.is_array() || !std::all_of(list.begin(), list.end(), is_text)) fail(key, "a list of texts");
+        return list.get<std::vector<std::string>>();
     }
 
     bool boolean(const char* key) const {
@@ -131,6 +139,10 @@ HardwareResult read_hardware(const Node& node) {
 RunResult read_run(const Node& node) {
     RunResult out;
     out.lobe = node.word("lobe");
+    const auto all = lobes();
+    if (std::none_of(all.begin(), all.end(), [&](const Lobe& lobe) { return lobe.name == out.lobe; })) {
+        node.fail("lobe", "a lobe of this glint");
+    }
     out.profile = node.word("profile");
     out.F = node.integer("F", 8, 30);
     out.O = node.integer("O", 4, 28);
@@ -154,16 +166,53 @@ RunResult read_run(const Node& node) {
     return out;
 }
 
-}  // namespace
+Proof read_proof(const Node& node) {
+    Proof out;
+    out.lobe = node.word("lobe");
+    out.profile = node.word("profile");
+    out.failures = node.texts("failures");
+    if (node.boolean("ok") != out.failures.empty()) node.fail("ok", "true exactly when there are no failures");
+    if (node.has("proven_ulp") || out.failures.empty()) out.ulp = node.number("proven_ulp");
+    if (node.has("measured_ulp")) {
+        Proof::Measured measured;
+        measured.ulp = node.number("measured_ulp");
+        measured.inputs = node.count("measured_inputs", 1);
+        measured.exhaustive = node.boolean("measured_exhaustive");
+        if (node.has("measured_at")) {
+            const Node at = node.node("measured_at");
+            measured.F = at.integer("F", 8, 30);
+            measured.worst = Worst{measured.ulp, at.integer("n", 1, max_n), at.integer("cos_code", 0, 1 << measured.F)};
+        }
+        out.measured = measured;
+    }
+    return out;
+}
 
-ResultFile read_results(const std::string& path) {
-    const std::string name = fmt::format("results file '{}'", path);
+Json read_json(const std::string& path, const std::string& name) {
     std::ifstream stream(path, std::ios::binary);
     std::ostringstream text;
     if (!stream || !(text << stream.rdbuf())) throw Error(name + " cannot be read");
-    const Json json = Json::parse(text.str(), nullptr, false);
+    Json json = Json::parse(text.str(), nullptr, false);
     if (json.is_discarded()) throw Error(name + " is not JSON");
+    return json;
+}
 
+}  // namespace
+
+ProofsFile read_proofs(const std::string& path) {
+    const std::string name = fmt::format("proofs file '{}'", path);
+    const Json json = read_json(path, name);
+    const Node top(json, name);
+    ProofsFile out;
+    out.command = top.text("command");
+    for (const Node& proof : top.nodes("proofs")) out.proofs.push_back(read_proof(proof));
+    if (out.proofs.empty()) throw Error(name + " holds no proofs");
+    return out;
+}
+
+ResultFile read_results(const std::string& path) {
+    const std::string name = fmt::format("results file '{}'", path);
+    const Json json = read_json(path, name);
     const Node top(json, name);
     ResultFile out;
     out.path = path;

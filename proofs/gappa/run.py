@@ -20,6 +20,7 @@ from fractions import Fraction
 from typing import NamedTuple, Optional
 
 HERE = pathlib.Path(__file__).resolve().parent
+TOOL = "proofs/gappa/run.py"
 TIMEOUT_SECONDS = 600
 
 NUMBER = r"-?\d+(?:[be][-+]?\d+)?"
@@ -119,6 +120,9 @@ class Proof:
         if self.measured is not None:
             out["measured_ulp"] = self.measured.ulp
             out["measured_inputs"] = self.measured.inputs
+            out["measured_exhaustive"] = self.measured.exhaustive
+            if self.measured.at is not None:
+                out["measured_at"] = self.measured.at
             if self.measured.any_s is not None:
                 out["any_real_s_ulp"] = self.measured.any_s
             if self.proven:
@@ -129,10 +133,13 @@ class Proof:
 
 
 class Measured(NamedTuple):
-    """The largest error of a run, over how many inputs, and what glint-wide says of any real s, if it is from there."""
+    """The largest error of a run, over how many inputs, whether those are all, at which one it lies, and what glint-wide
+    says of any real s, if it is from there."""
 
     ulp: float
     inputs: int
+    exhaustive: bool = False
+    at: Optional[dict] = None
     any_s: Optional[float] = None
 
 
@@ -147,7 +154,7 @@ def find_scripts(paths):
 
 
 def read_measured(paths):
-    """Of all runs at a (lobe, profile) the one with the largest error."""
+    """Of all runs at a (lobe, profile) the one with the largest error, and of equal ones that with the most inputs."""
     measured = {}
     for path in paths:
         try:
@@ -157,9 +164,11 @@ def read_measured(paths):
                     continue  # a run that measures no error, such as a reset test
                 total = run["accuracy"]["total"]
                 rounding = total["rounding"]
-                entry = Measured(float(rounding["max_ulp"]), int(total["inputs"]), rounding.get("max_ulp_any_real_s"))
+                at = {"n": rounding["n"], "cos_code": rounding["cos_code"], "F": run["F"]} if "n" in rounding else None
+                entry = Measured(float(rounding["max_ulp"]), int(total["inputs"]), bool(run.get("exhaustive", False)), at,
+                                 rounding.get("max_ulp_any_real_s"))
                 key = (run["lobe"], run["profile"].replace(",", "_"))
-                if key not in measured or entry.ulp > measured[key].ulp:
+                if key not in measured or entry[:2] > measured[key][:2]:
                     measured[key] = entry
         except (OSError, ValueError, KeyError, TypeError) as error:
             raise UsageError(f"--measured {path} is not a result file of glint sweep, glint-cosim or glint-wide: "
@@ -248,8 +257,8 @@ def main():
     for lobe, profile in measured:
         print(f"measured, but no proof here: {lobe} {profile}")
     if options.json:
-        write(options.json, json.dumps({"tool": "proofs/gappa/run.py", "proofs": [p.to_json() for p in proofs]},
-                                       indent=1) + "\n")
+        write(options.json, json.dumps({"tool": TOOL, "command": " ".join([TOOL, *sys.argv[1:]]),
+                                        "proofs": [p.to_json() for p in proofs]}, indent=1) + "\n")
     for failure in failures:
         print(f"FAILED: {failure}")
     return 1 if failures else 0

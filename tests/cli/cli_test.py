@@ -8,6 +8,7 @@ What the numbers are is for other tests; here they are compared with each other.
 
 import argparse
 import csv
+import html
 import itertools
 import json
 import os
@@ -531,7 +532,119 @@ class Report(Case):
         for name in ("page/overview-dark.svg", "page/overview-light.svg"):
             xml.etree.ElementTree.fromstring(self.read(name))
 
+    def proofs(self, bound="73395e-5"):
+        """proofs.json as proofs/gappa/run.py writes it, with a program that answers as Gappa does."""
+        (self.folder / "bps.g").write_text("# lobe: bps\n# profile: p8\n{ C in [0, 1] -> error in ? }\n")
+        gappa = self.folder / "gappa"
+        gappa.write_text(f"#!/bin/sh\necho '  error in [-68e-2, {bound}]'\n")
+        gappa.chmod(0o755)
+        done = self.run_tool(ROOT / "proofs/gappa/run.py", "bps.g", "--gappa", "./gappa", "--measured", "sweep.json",
+                             "--json", "proofs.json", tool=sys.executable)
+        self.true((self.folder / "proofs.json").exists(), done.stderr)
+        return done.returncode
+
+    def section(self, name):
+        """The text of a section of the page, without the tags, and the cells of its tables, row by row."""
+        def text(html_text):
+            return html.unescape(re.sub(r"<[^>]*>", "", html_text))
+
+        section = re.search(rf'<h2 id="{name}">.*?(?=<h2|\Z)', self.read("page/index.html"), re.DOTALL)[0]
+        rows = re.findall(r"<tr>(.*?)</tr>", section)
+        return text(section), [[text(cell) for cell in re.findall(r"<t[hd].*?</t[hd]>", row)] for row in rows]
+
+    def test_proofs(self):
+        self.results()
+        self.equal(self.proofs(), 0)
+        self.good("report", "--results", "sweep.json", "--proofs", "proofs.json", "-o", "page")
+        text, (heading, row) = self.section("proven")
+        self.equal(heading, ["profile", "proven, ulp", "measured, ulp", "measured / proven", "inputs measured"])
+        total = json.loads(self.read("sweep.json"))["runs"][0]["accuracy"]["total"]
+        worst = total["rounding"]
+        place = f"n = {worst['n']}, cos {worst['cos_code'] / 65536:.6f}code {worst['cos_code']}"
+        self.equal(row, ["bps p8", "0.7340", f"{worst['max_ulp']:.4f}{place}", f"{worst['max_ulp'] / 0.73395:.3f}",
+                         f"{total['inputs']:,}"])
+        self.true("[2]" in text, "no reference to the command that proved it")
+        self.true("run.py bps.g --gappa ./gappa --measured sweep.json" in self.section("commands")[0], "nor the command")
+        self.equal(self.read("page/index.html").count('class="bad"'), 0)
+
+    def test_proofs_of_all_inputs(self):
+        self.results(exhaustive=True)
+        self.proofs()
+        self.good("report", "--results", "sweep.json", "--proofs", "proofs.json", "-o", "page")
+        self.matches(self.section("proven")[1][1][-1], r"\A[\d,]+every legal one\Z")
+
+    def test_no_proofs(self):
+        self.results()
+        self.good("report", "--results", "sweep.json", "-o", "page")
+        text, rows = self.section("proven")
+        self.equal(rows, [])
+        self.true("proofs/gappa/run.py" in text and "--proofs" in text, f"how to get the table: {text}")
+
+    def test_proofs_that_failed(self):
+        """What failed stands on the page; so does a bound that the results of the page exceed."""
+        self.results()
+        self.equal(self.proofs("1001e-3"), 1)
+        self.good("report", "--results", "sweep.json", "--proofs", "proofs.json", "-o", "page")
+        self.matches(self.section("proven")[0], r"\nbps p8: proven bound 1\.0010 ulp is not below 1\n")
+        proofs = json.loads(self.read("proofs.json"))
+        del proofs["proofs"][0]["proven_ulp"], proofs["proofs"][0]["measured_ulp"]
+        (self.folder / "proofs.json").write_text(json.dumps(proofs))
+        self.good("report", "--results", "sweep.json", "--proofs", "proofs.json", "-o", "page")
+        self.equal(self.section("proven")[1][1], ["bps p8", *"––––"])
+        self.proofs("5e-1")
+        proofs = json.loads(self.read("proofs.json"))
+        proofs["proofs"][0].update(proven_ulp=0.5, ok=True, failures=[])
+        (self.folder / "proofs.json").write_text(json.dumps(proofs))
+        self.good("report", "--results", "sweep.json", "--proofs", "proofs.json", "-o", "page")
+        self.matches(self.section("proven")[0], r"bps p8: the rounding error of the results, 0\.\d+ ulp, is above")
+
+    def test_hard_cases(self):
+        """Each row that `glint cases` prints for the lobe and for the streams, cell by cell, and its explanation."""
+        self.results()
+        self.good("report", "--results", "sweep.json", "-o", "page")
+        text, rows = self.section("hard-cases")
+        cases = self.good("cases")
+        parts = re.split(r"^## ", cases, flags=re.MULTILINE)
+        wanted = [part for part in parts[1:] if part.startswith(("bps\n", "Streams\n"))]
+        self.equal(len(wanted), 2)
+        lines = [line for part in wanted for line in part.splitlines() if line.startswith("| ")]
+        self.true(len(lines) >= 20, f"{len(lines)} rows")
+        self.equal(rows, [line[2:-2].split(" | ") for line in lines])
+        legend = parts[0][parts[0].index("For each"):].replace("`", "").strip()
+        self.true(legend in text, f"{legend} is not in {text[:400]}")
+
+    def test_refused_proofs(self):
+        def refused(pattern):
+            self.refused(pattern, "report", "--results", "sweep.json", "--proofs", "proofs.json", "-o", "page")
+
+        self.results()
+        refused(r"proofs file 'proofs\.json' cannot be read")
+        (self.folder / "proofs.json").write_text("{")
+        refused(r"proofs file 'proofs\.json' is not JSON")
+        (self.folder / "proofs.json").write_text("[]")
+        refused(r"proofs file 'proofs\.json' is not a JSON object")
+        (self.folder / "proofs.json").write_text(self.read("sweep.json"))
+        refused("proofs is missing")
+        self.proofs()
+        good = self.read("proofs.json")
+        for key, value, pattern in (("proven_ulp", -1, r"proofs\[0\]\.proven_ulp -1 is not legal: a number, 0 or more"),
+                                    ("proven_ulp", None, r"proven_ulp null is not legal"),
+                                    ("profile", "<p8>", r"profile \"<p8>\" is not legal"),
+                                    ("measured_inputs", 0, "measured_inputs 0 is not legal"),
+                                    ("ok", False, "ok false is not legal"),
+                                    ("failures", [1], r"failures \[1\] is not legal: a list of texts")):
+            proofs = json.loads(good)
+            proofs["proofs"][0][key] = value
+            (self.folder / "proofs.json").write_text(json.dumps(proofs))
+            refused(pattern)
+        proofs["proofs"] = []
+        (self.folder / "proofs.json").write_text(json.dumps(proofs))
+        refused("holds no proofs")
+        self.equal([name for name in self.files() if name.startswith("page")], [], "a page was left behind")
+
     def test_refused(self):
+        self.results(lobe="none")
+        self.refused(r"runs\[0\]\.lobe \"none\" is not legal", "report", "--results", "sweep.json", "-o", "page")
         self.refused("missing.json", "report", "--results", "missing.json", "-o", "page")
         (self.folder / "broken.json").write_text("{")
         self.refused("broken.json", "report", "--results", "broken.json", "-o", "page")

@@ -2,11 +2,14 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "glint/golden.hpp"
 
 namespace glint {
+
+struct Lobe;
 
 struct HardCase {
     std::string name;
@@ -19,8 +22,25 @@ struct HardCase {
 /// The hard cases of `bps` at the profile of a model; legal and illegal port inputs.
 std::vector<HardCase> bps_hard_cases(const GoldenModel& model);
 
-/// The page of hard cases for a lobe (Markdown): each case with what comes out, at every shipped profile, and the cases
-/// of the streams, which have no input. `glint cases` prints it; docs/hard-cases.md is its output.
+/// Hard cases as texts, for a document: each with what could go wrong, what comes out, and how it is covered.
+struct HardCaseTable {
+    std::string title;
+    std::vector<std::string> columns;
+    std::size_t sentences = 0;  ///< so many columns, from the first, hold words that may be broken into lines
+    std::vector<std::vector<std::string>> rows;
+};
+
+/// The cases of a lobe, at every shipped profile.
+HardCaseTable hard_case_table(const Lobe& lobe);
+
+/// The cases of the streams, which have no input.
+HardCaseTable stream_case_table();
+
+/// What the tables show and how to read it, for their heading (Markdown).
+std::string_view hard_case_legend();
+
+/// The page of hard cases (Markdown): the tables of all lobes and of the streams. `glint cases` prints it;
+/// docs/hard-cases.md is its output.
 std::string hard_cases_page();
 
 }  // namespace glint
