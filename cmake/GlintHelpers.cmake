@@ -3,6 +3,15 @@ function(glint_own_code target)
   target_compile_options(${target} PRIVATE -Wall -Wextra -Wconversion $<$<BOOL:${GLINT_WERROR}>:-Werror>)
 endfunction()
 
+# glint_lobes(out): the names in the registry, in its order.
+function(glint_lobes out)
+  set(registry ${PROJECT_SOURCE_DIR}/model/include/glint/lobes.def)
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${registry})
+  file(STRINGS ${registry} lines REGEX "^GLINT_LOBE\\([a-z0-9_]+\\)$")
+  list(TRANSFORM lines REPLACE "^GLINT_LOBE\\((.*)\\)$" "\\1")
+  set(${out} ${lines} PARENT_SCOPE)
+endfunction()
+
 # glint_generated_verilog(out rtl lobe profile): the folder with the wrappers of a profile. Those of the shipped profiles
 # are committed; those of a custom one are emitted now, by a `glint` built for the purpose.
 function(glint_generated_verilog out rtl lobe profile)

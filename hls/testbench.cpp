@@ -14,11 +14,9 @@
 #include <fstream>
 #include <string>
 
-#include "glint_bps.hpp"
-
 #ifdef GLINT_TOP
 #define GLINT_TOPS(X) X(GLINT_TOP)
-#else
+#elif !defined(GLINT_TOPS)  // CMake defines it for all lobes
 #define GLINT_TOPS(X) X(glint_bps_p12) X(glint_bps_p8) X(glint_bps_p16)
 #endif
 
@@ -30,7 +28,6 @@
 #define CCS_RETURN(status) return (status)
 #endif
 
-// A top function that glint_bps.hpp does not declare, of a custom profile, is declared here.
 #define GLINT_DECLARE(top) extern "C" std::uint32_t top(std::uint16_t n, std::int32_t cos_code);
 GLINT_TOPS(GLINT_DECLARE)
 

@@ -92,7 +92,7 @@ int cosim(const Options& options, const std::string& command) {
 int main(int argc, char** argv) {
     Options options;
     CLI::App app{"The Verilog, run by Verilator, against the golden model, bit for bit.", "glint-cosim"};
-    app.add_option("--lobe", options.lobe, "Lobes, separated by commas")->capture_default_str();
+    app.add_option("--lobe", options.lobe, "Lobes, separated by commas, or all")->capture_default_str();
     app.add_option("--profile", options.profile, "Profiles, separated by commas")->capture_default_str();
     app.add_option("--unit", options.unit, "core, axis or both, separated by a comma")->capture_default_str();
     CLI::Option* exhaustive = app.add_flag("--exhaustive", options.exhaustive, "Every legal input");

@@ -147,13 +147,24 @@ std::vector<std::string> split_profiles(const std::string& text) {
     return out;
 }
 
+std::vector<const Lobe*> split_lobes(const std::string& text) {
+    std::vector<const Lobe*> out;
+    if (text == "all") {
+        for (const Lobe& lobe : lobes()) out.push_back(&lobe);
+        return out;
+    }
+    for (std::size_t begin = 0; begin <= text.size();) {
+        const std::size_t end = std::min(text.find(',', begin), text.size());
+        out.push_back(&find_lobe(text.substr(begin, end - begin)));
+        begin = end + 1;
+    }
+    return out;
+}
+
 std::vector<std::unique_ptr<GoldenModel>> models(const std::string& lobes, const std::string& profiles) {
     std::vector<std::unique_ptr<GoldenModel>> out;
-    for (std::size_t begin = 0; begin <= lobes.size();) {
-        const std::size_t end = std::min(lobes.find(',', begin), lobes.size());
-        const Lobe& lobe = find_lobe(lobes.substr(begin, end - begin));
-        for (const std::string& profile : split_profiles(profiles)) out.push_back(lobe.golden(parse_profile(profile)));
-        begin = end + 1;
+    for (const Lobe* lobe : split_lobes(lobes)) {
+        for (const std::string& profile : split_profiles(profiles)) out.push_back(lobe->golden(parse_profile(profile)));
     }
     return out;
 }

@@ -56,6 +56,9 @@ Progress progress_bar(std::string label);
 /// Columns aligned; the first row is the heading, numbers to the right.
 std::string table(const std::vector<std::vector<std::string>>& rows);
 
+/// "bps,schlick", or "all": every lobe of the registry. Throws Error.
+std::vector<const Lobe*> split_lobes(const std::string& text);
+
 /// The golden models of every pair of the two comma separated lists, lobes outermost. A custom profile holds commas
 /// itself: its numbers are taken together. Throws Error.
 std::vector<std::unique_ptr<GoldenModel>> models(const std::string& lobes, const std::string& profiles);

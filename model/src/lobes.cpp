@@ -4,17 +4,21 @@
 
 #include <fmt/format.h>
 
-#include "glint/bps.hpp"
 #include "glint/error.hpp"
-#include "glint/reference.hpp"
 
 namespace glint {
 
+// Each lobe's own file defines its entry.
+#define GLINT_LOBE(name) Lobe name##_lobe();
+#include "glint/lobes.def"
+#undef GLINT_LOBE
+
 std::span<const Lobe> lobes() {
-    static const std::array<Lobe, 1> all{{
-        {"bps", "a s^3 + b s^2 + c1 s + d0, s = c / (n - n c + c)", "F,S,K,O", reference::bps_horner, make_bps,
-         emit_bps, bps_hard_cases},
-    }};
+#define GLINT_LOBE(name) name##_lobe(),
+    static const auto all = std::to_array<Lobe>({
+#include "glint/lobes.def"
+    });
+#undef GLINT_LOBE
     return all;
 }
 

@@ -2,20 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+
+#include "domain.hpp"
 
 namespace glint::reference {
 namespace {
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-
-/// The answers that all lobes share, then the lobe itself for 0 <= c <= 1 and n >= 1 (possibly infinite).
-template <class LobeFunction>
-double with_domain(double c, double n, LobeFunction lobe) {
-    if (std::isnan(c) || std::isnan(n)) return nan;
-    if (c < 0.0) return 0.0;
-    return lobe(std::min(c, 1.0), std::max(n, 1.0));
-}
 
 /// c / (c + n (1 - c)): the same number as c / (n - n c + c), without the cancellation near c = 1.
 double schlick_in_domain(double c, double n) {

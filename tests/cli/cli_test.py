@@ -457,12 +457,12 @@ class Emit(Case):
         """What is committed is what the tool emits: every file, and no other."""
         for target, folder in self.COMMITTED.items():
             committed = {path.name: path.read_text() for path in (ROOT / folder).iterdir()}
-            pattern = re.compile(r"glint_bps_(?:axis_)?(p\d+|\d+(?:_\d+)+)(?:_constants)?\.\w+")
-            names = {pattern.sub(r"\1", name) for name in committed}
-            self.true({"p8", "p12", "p16"} <= names, f"{folder}: {names}")
-            for name in names:
+            pattern = re.compile(r"glint_(\w+?)_(?:axis_)?(p\d+|\d+(?:_\d+)+)(?:_constants)?\.\w+")
+            names = {pattern.fullmatch(name).groups() for name in committed}
+            self.true({("bps", "p8"), ("bps", "p12"), ("bps", "p16")} <= names, f"{folder}: {names}")
+            for lobe, name in names:
                 profile = name.replace("_", ",")
-                self.good("emit", "--lobe", "bps", "--profile", profile, "--target", target, "-o", target)
+                self.good("emit", "--lobe", lobe, "--profile", profile, "--target", target, "-o", target)
             emitted = {path.name: path.read_text() for path in (self.folder / target).iterdir()}
             self.equal(sorted(committed), sorted(emitted), folder)
             for name, text in emitted.items():

@@ -1,10 +1,10 @@
-# cmake -DGLINT=.. -DTESTBENCH=.. -DPROFILE=.. -DFOLDER=.. -P check_testbench.cmake
+# cmake -DGLINT=.. -DTESTBENCH=.. -DLOBE=.. -DPROFILE=.. -DFOLDER=.. -P check_testbench.cmake
 # The C test bench passes on the vectors of the tool, and fails on everything that it should fail on.
-set(top glint_bps_${PROFILE})
+set(top glint_${LOBE}_${PROFILE})
 set(good ${FOLDER}/${top}.tv)
-set(file ${FOLDER}/${PROFILE}_edited.tv)
+set(file ${FOLDER}/${LOBE}_${PROFILE}_edited.tv)
 file(REMOVE ${good} ${file})
-execute_process(COMMAND ${GLINT} vectors --lobe bps --profile ${PROFILE} --count 10000 --seed 1 --format tv -o ${FOLDER}
+execute_process(COMMAND ${GLINT} vectors --lobe ${LOBE} --profile ${PROFILE} --count 10000 --seed 1 --format tv -o ${FOLDER}
   COMMAND_ERROR_IS_FATAL ANY)
 
 # expect(STATUS REGEX ARGUMENT...): the exit status, and what standard output or standard error must say.
@@ -55,6 +55,6 @@ expect(1 "0 vectors, 0 mismatches.*has no vectors" ${top} ${file})
 file(REMOVE ${file})
 expect(2 "cannot read '.*': No such file" ${top} ${file})
 expect(2 "cannot read" ${top} ${FOLDER})
-expect(2 "'glint_bps_p9' is not here.*one of: glint_bps_p12" glint_bps_p9 ${good})
+expect(2 "'glint_bps_p9' is not here.*one of: glint_[a-z0-9_]+_p12" glint_bps_p9 ${good})
 expect(2 "usage" ${top} ${good} ${good})
 message(STATUS "${count} runs of the test bench behaved")

@@ -1,8 +1,8 @@
 // Holds a compiled HLS kernel against the golden model, bit for bit.
 //
-//   hls-kernel-<compiler> PROFILE legal      every legal input
-//   hls-kernel-<compiler> PROFILE illegal    n = 0 with every cosine code; every illegal cosine code with five n
-//   hls-kernel-<compiler> PROFILE sample     the corners, then 10^7 random inputs of the ports, seed 1
+//   hls-kernel-<compiler> LOBE PROFILE legal      every legal input
+//   hls-kernel-<compiler> LOBE PROFILE illegal    n = 0 with every cosine code; every illegal cosine code with five n
+//   hls-kernel-<compiler> LOBE PROFILE sample     the corners, then 10^7 random inputs of the ports, seed 1
 //
 // Exit status: 0 all equal, 1 a difference or a wrong number of inputs, 2 bad arguments.
 #include <array>
@@ -19,24 +19,25 @@
 
 #include <fmt/format.h>
 
-#include "glint/bps.hpp"
+#include "glint/lobes.hpp"
 #include "glint/parallel.hpp"
 #include "glint/vectors.hpp"
 
-// hls_kernels.inc: one GLINT_KERNEL(top, profile) for every kernel that the object files hold.
-#define GLINT_KERNEL(top, profile) extern "C" std::uint32_t top(std::uint16_t n, std::int32_t cos_code);
+// hls_kernels.inc: one GLINT_KERNEL(top, lobe, profile) for every kernel that the object files hold.
+#define GLINT_KERNEL(top, lobe, profile) extern "C" std::uint32_t top(std::uint16_t n, std::int32_t cos_code);
 #include "hls_kernels.inc"
 #undef GLINT_KERNEL
 
 namespace {
 
 struct Kernel {
+    std::string_view lobe;
     std::string_view profile;
     std::uint32_t (*top)(std::uint16_t n, std::int32_t cos_code);
 };
 
 const Kernel kernels[] = {
-#define GLINT_KERNEL(top, profile) {profile, top},
+#define GLINT_KERNEL(top, lobe, profile) {lobe, profile, top},
 #include "hls_kernels.inc"
 #undef GLINT_KERNEL
 };
@@ -162,13 +163,13 @@ std::uint64_t compare_sample(const glint::GoldenModel& model, Comparison& compar
 
 int check(const Kernel& kernel, std::string_view mode) {
     const glint::Profile profile = glint::parse_profile(kernel.profile);
-    const std::unique_ptr<glint::GoldenModel> model = glint::make_bps(profile);
+    const std::unique_ptr<glint::GoldenModel> model = glint::find_lobe(kernel.lobe).golden(profile);
     Comparison comparison(kernel, *model);
     const std::uint64_t expected = mode == "legal"     ? compare_legal(profile, comparison)
                                    : mode == "illegal" ? compare_illegal(profile, comparison)
                                                        : compare_sample(*model, comparison);
-    fmt::print("{}, {} inputs of {}: {} inputs, {} mismatches\n", GLINT_KERNEL_COMPILER, mode, kernel.profile,
-               comparison.inputs(), comparison.mismatches());
+    fmt::print("{}, {} inputs of {} {}: {} inputs, {} mismatches\n", GLINT_KERNEL_COMPILER, mode, kernel.lobe,
+               kernel.profile, comparison.inputs(), comparison.mismatches());
     if (comparison.inputs() != expected || expected == 0) {
         fmt::print(stderr, "{} inputs were compared; there are {}\n", comparison.inputs(), expected);
         return 1;
@@ -179,15 +180,16 @@ int check(const Kernel& kernel, std::string_view mode) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    const std::string_view profile = argc > 1 ? argv[1] : "";
-    const std::string_view mode = argc > 2 ? argv[2] : "";
-    if (argc == 3 && (mode == "legal" || mode == "illegal" || mode == "sample")) {
+    const std::string_view lobe = argc > 1 ? argv[1] : "";
+    const std::string_view profile = argc > 2 ? argv[2] : "";
+    const std::string_view mode = argc > 3 ? argv[3] : "";
+    if (argc == 4 && (mode == "legal" || mode == "illegal" || mode == "sample")) {
         for (const Kernel& kernel : kernels) {
-            if (kernel.profile == profile) return check(kernel, mode);
+            if (kernel.lobe == lobe && kernel.profile == profile) return check(kernel, mode);
         }
     }
-    fmt::print(stderr, "profile '{}', mode '{}' are not legal; profiles:", profile, mode);
-    for (const Kernel& kernel : kernels) fmt::print(stderr, " {}", kernel.profile);
-    fmt::print(stderr, "; modes: legal illegal sample\n");
+    fmt::print(stderr, "lobe '{}', profile '{}', mode '{}' are not legal; kernels:", lobe, profile, mode);
+    for (const Kernel& kernel : kernels) fmt::print(stderr, " {} {},", kernel.lobe, kernel.profile);
+    fmt::print(stderr, " modes: legal illegal sample\n");
     return 2;
 }

@@ -16,7 +16,7 @@ from pathlib import Path
 
 import oracle
 from checks import by_name, run_parts
-from document import Document, Unreadable, integer, plain
+from document import CONTRACT, Document, Unreadable, integer, plain
 from oracle import Bps, Profile, quantize, rnd
 
 SHIPPED = [Profile("bps", name) for name in oracle.SHIPPED]
@@ -298,7 +298,7 @@ def check_epicentre(document, checks):
 
 
 def check_examples(document, checks):
-    examples = document.examples("bps")
+    examples = document.examples()
     checks.equal("profiles with examples", list(examples), list(oracle.SHIPPED))
     for profile in SHIPPED:
         rows = examples[profile.name]
@@ -371,7 +371,7 @@ PARTS = by_name(check_arithmetic, check_profiles, check_rule_4, check_real_funct
 
 def main():
     parser = argparse.ArgumentParser(description="The tables, examples and figures of docs/contract.md, recomputed.")
-    parser.add_argument("--contract", type=Path, default=oracle.DOCUMENT)
+    parser.add_argument("--contract", type=Path, default=CONTRACT)
     parser.add_argument("--part", nargs="+", choices=PARTS, help="only these")
     arguments = parser.parse_args()
     try:

@@ -15,7 +15,7 @@ from pathlib import Path
 
 import oracle
 from checks import Checks, by_name, run_parts
-from document import Document, Unreadable
+from document import CONTRACT, Document, Unreadable
 
 HERE = Path(__file__).resolve().parent
 
@@ -172,7 +172,7 @@ PARTS = by_name(check_answers, check_usage, check_tool_checks, check_document_ch
 def main():
     parser = argparse.ArgumentParser(description="That the oracle's programs find what is wrong.")
     parser.add_argument("--glint", required=True, help="the tool")
-    parser.add_argument("--contract", type=Path, default=oracle.DOCUMENT)
+    parser.add_argument("--contract", type=Path, default=CONTRACT)
     parser.add_argument("--part", nargs="+", choices=PARTS, help="only these")
     arguments = parser.parse_args()
     try:

@@ -18,7 +18,7 @@ from pathlib import Path
 
 import oracle
 from checks import by_name, run_parts
-from document import Document, Unreadable
+from document import CONTRACT, Document, Unreadable
 from oracle import Profile, Refused, run_tool
 
 
@@ -129,7 +129,7 @@ def check_refused_inputs(tool, checks):
 
 def check_intermediates(tool, checks):
     """Each value that `glint eval` prints for one input, by its name; the last y is the answer."""
-    for name, rows in tool.document.examples("bps").items():
+    for name, rows in tool.document.examples().items():
         profile = Profile("bps", name)
         for row in rows:
             n, code = row["n"], row["cos_code"]
@@ -279,7 +279,7 @@ PARTS = by_name(check_profiles, check_cosines, check_refused_inputs, check_inter
 def main():
     parser = argparse.ArgumentParser(description="Refusals, intermediates, file formats and measures of the tool.")
     parser.add_argument("--glint", required=True, help="the tool")
-    parser.add_argument("--contract", type=Path, default=oracle.DOCUMENT)
+    parser.add_argument("--contract", type=Path, default=CONTRACT)
     parser.add_argument("--part", nargs="+", choices=PARTS, help="only these")
     arguments = parser.parse_args()
     try:

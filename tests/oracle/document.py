@@ -1,9 +1,16 @@
 """What docs/contract.md says, as data: its tables and its worked examples."""
 
 import re
+from pathlib import Path
 
 
-EXAMPLES = {"bps": "Worked examples"}  # the section that holds them, by lobe
+DOCS = Path(__file__).resolve().parents[2] / "docs"
+CONTRACT = DOCS / "contract.md"  # what is common to all lobes, and bps
+
+
+def contract_of(lobe):
+    """The document that prescribes a lobe."""
+    return CONTRACT if lobe == "bps" else DOCS / "lobes" / f"{lobe}.md"
 
 
 class Unreadable(Exception):
@@ -84,10 +91,10 @@ class Document:
                 block.append(line)
         return found
 
-    def examples(self, lobe):
+    def examples(self):
         """The tables of worked examples by profile; each row a dict by the names of its header."""
         examples, profile = {}, None
-        for line in self.section(EXAMPLES[lobe]):
+        for line in self.section("Worked examples"):
             title = re.fullmatch("`([a-z0-9]+)`:", line)
             if title:
                 profile = title[1]

@@ -2,7 +2,7 @@
 """An independent oracle: docs/contract.md a second time, in exact integers, against `glint eval`.
 
 It was written from the document alone, before its author had read the model, the HLS code or the Verilog; keep it so.
-A later lobe adds one class to LOBES. Only Python's standard library is needed.
+A later lobe adds one file to lobes/. Only Python's standard library is needed.
 
 Exit status: 0 all answers agree, 1 some do not, 2 wrong usage or no tool.
 """
@@ -14,34 +14,12 @@ import subprocess
 import sys
 from fractions import Fraction
 from functools import cached_property
+from importlib import import_module
 from math import floor
 from pathlib import Path
 
-from document import Document, Unreadable
-
-DOCUMENT = Path(__file__).resolve().parents[2] / "docs" / "contract.md"
-
-
-class Refused(Exception):
-    """A profile or a number that the contract does not admit; or a tool that cannot be run."""
-
-
-# Section "Arithmetic"
-
-
-def rnd(x, k):
-    return (x + (1 << (k - 1))) >> k if k > 0 else x
-
-
-def quantize(x, k):
-    """The code of the real number x (a Fraction) at k fraction bits, halves away from zero."""
-    return floor(x * 2**k + Fraction(1, 2)) if x >= 0 else -floor(-x * 2**k + Fraction(1, 2))
-
-
-def cosine_code(x, F):
-    if not abs(x) < 2:
-        raise Refused(f"cosine {float(x)} is not legal: |x| < 2")
-    return min(quantize(x, F), 2 ** (F + 1) - 1)
+from arithmetic import Refused, cosine_code, quantize, rnd
+from document import Document, Unreadable, contract_of
 
 
 # Sections "Lobe ...". A lobe's class holds its guard bits by name and those of the shipped profiles, `steps` (one
@@ -137,7 +115,10 @@ class Bps:
                     yield n, min(max(0, C + near), 1 << self.F)
 
 
+# Every other lobe is a file of its own, lobes/<name>.py, with a class `Lobe` of this form.
 LOBES = {"bps": Bps}
+for path in sorted((Path(__file__).resolve().parent / "lobes").glob("[a-z]*.py")):
+    LOBES[path.stem] = import_module(f"lobes.{path.stem}").Lobe
 
 
 # Section "Profiles"
@@ -334,17 +315,18 @@ def main():
     parser.add_argument("--profile", default="p8,p12,p16", help="profiles: p8, p12, p16, or F,<guard bits>,O")
     parser.add_argument("--count", type=int, default=100000, help="random inputs per profile, beside the corners")
     parser.add_argument("--seed", type=int, default=1)
-    parser.add_argument("--contract", type=Path, default=DOCUMENT, help="the document, for the inputs of its examples")
+    parser.add_argument("--contract", type=Path,
+                        help="the document, for the inputs of its examples (default: the one of the lobe)")
     arguments = parser.parse_args()
     if arguments.count < 0:
         parser.error(f"--count {arguments.count} is not legal: at least 0")
 
     try:
-        document = Document(arguments.contract)
+        document = Document(arguments.contract or contract_of(arguments.lobe))
         profiles = [Profile(arguments.lobe, text) for text in split_profiles(arguments.lobe, arguments.profile)]
         held = True
         for profile in profiles:
-            examples = [(row["n"], row["cos_code"]) for row in document.examples(arguments.lobe).get(profile.name, [])]
+            examples = [(row["n"], row["cos_code"]) for row in document.examples().get(profile.name, [])]
             held &= compare_profile(arguments.glint, arguments.lobe, profile, examples, arguments.count, arguments.seed)
     except (Refused, Unreadable) as error:
         print(f"oracle: {error}", file=sys.stderr)

@@ -59,9 +59,10 @@ def silent(arguments, folder=ROOT):
 
 
 def file_table():
-    """From docs/rtl.md: the name of a unit, P in the place of its profile, and its files."""
+    """From docs/rtl.md and docs/lobes: the name of a unit, P in the place of its profile, and its files."""
     table = {}
-    text = (ROOT / "docs/rtl.md").read_text()
+    pages = [ROOT / "docs/rtl.md", *sorted((ROOT / "docs/lobes").glob("*.md"))]
+    text = "\n".join(page.read_text() for page in pages)
     for unit, files in re.findall(r"^\| `(glint_\w+_P)` \| (rtl/generated/.*) \|$", text, re.MULTILINE):
         table[unit] = files.split(", ")
     if not table:
@@ -77,7 +78,8 @@ def units(folder, table):
         unit = wrapper.stem[: profile.start()] + "_P" if profile else ""
         if unit not in table:
             raise Failed(f"{wrapper} is no unit that docs/rtl.md lists")
-        files = [wrapper if "/generated/" in file else ROOT / file for file in table[unit]]
+        files = [Path(folder) / Path(file.replace("_P.v", f"{profile[0]}.v")).name if "/generated/" in file else ROOT / file
+                 for file in table[unit]]
         found.append((wrapper.stem, files))
     if not found:
         raise Failed(f"folder '{folder}' holds no wrappers")

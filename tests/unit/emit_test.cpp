@@ -25,7 +25,7 @@ TEST_CASE("the committed generated files are those of the model, and every shipp
     const std::filesystem::path folders[] = {root / "rtl/generated", root / "hls/generated",
                                              root / "proofs/gappa/generated"};
     // Lobe and profile of a file, from its name: shipped, or custom as numbers joined by '_'.
-    const std::regex pattern("glint_([a-z0-9]+)_(?:axis_)?(p[0-9]+|[0-9]+(?:_[0-9]+)+)(?:_constants)?\\.[a-z]+");
+    const std::regex pattern("glint_([a-z0-9_]+?)_(?:axis_)?(p[0-9]+|[0-9]+(?:_[0-9]+)+)(?:_constants)?\\.[a-z]+");
     std::set<std::string> committed;
     for (std::size_t target = 0; target < std::size(folders); ++target) {
         for (const auto& entry : std::filesystem::directory_iterator(folders[target])) {

@@ -1,4 +1,4 @@
-// The registry: every lobe that has a golden model.
+// The lobes that have a golden model; which, says lobes.def.
 #pragma once
 
 #include <memory>
@@ -15,13 +15,16 @@ namespace glint {
 struct Lobe {
     std::string_view name;     ///< as on the command line and in every file name
     std::string_view formula;  ///< for people
-    std::string_view custom;   ///< what the numbers of a custom profile mean
+    std::string_view custom;   ///< what the numbers of a custom profile mean, e.g. "F,S,K,O"
+    /// The real function, in [0, 1]. Any arguments: those outside the domain have the answers of glint/reference.hpp.
     double (*reference)(double c, double n);
+    /// Throws Error when the profile is not legal for the lobe; so does `emit`.
     std::unique_ptr<GoldenModel> (*golden)(const Profile&);
     std::vector<GeneratedFile> (*emit)(const Profile&);
     std::vector<HardCase> (*hard_cases)(const GoldenModel&);
 };
 
+/// All lobes, in the order of lobes.def.
 std::span<const Lobe> lobes();
 
 /// Throws Error with the list of the known lobes.

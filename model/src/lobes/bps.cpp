@@ -8,6 +8,7 @@
 #include "glint/error.hpp"
 #include "glint/fixed_point.hpp"
 #include "glint/lanes.hpp"
+#include "glint/lobes.hpp"
 #include "glint/reference.hpp"
 
 namespace glint {
@@ -173,6 +174,15 @@ BpsFormat bps_format(const Profile& profile) {
                                 profile.argument(), top, std::int64_t{1} << f.O));
     }
     return f;
+}
+
+Lobe bps_lobe();
+
+Lobe bps_lobe() {
+    return {"bps",         "a s^3 + b s^2 + c1 s + d0, s = c / (n - n c + c)",
+            "F,S,K,O",     reference::bps_horner,
+            make_bps,      emit_bps,
+            bps_hard_cases};
 }
 
 std::unique_ptr<GoldenModel> make_bps(const Profile& profile) {

@@ -1,0 +1,104 @@
+// glint_unit: what the kernels of all lobes share: the corrections, the divider, the result word, the top functions.
+// Names and arithmetic: docs/contract.md.
+#ifndef GLINT_UNIT_HPP
+#define GLINT_UNIT_HPP
+
+#include "glint_int.hpp"
+
+namespace glint_hls {
+
+/// An input after the corrections of the contract's section "Ports".
+template <int F>
+struct Corrected {
+    uint<10> n;            // 1 .. 1023
+    uint<F + 1> C;         // the cosine, 0 .. 2^F
+    uint<F + 1> distance;  // 2^F - C
+    bool negative;         // cos < 0: the result is 0
+    bool clamped;          // something was corrected
+};
+
+template <int F>
+Corrected<F> correct(uint<10> n, sint<F + 2> cos_code) {
+    const sint<F + 2> one = static_cast<sint<F + 2>>(sint<F + 2>{1} << F);
+    const bool none = n == 0;
+    const bool below = cos_code < 0;
+    const bool above = cos_code > one;
+    Corrected<F> in;
+    in.n = none ? to_uint<10>(1) : n;
+    in.C = below ? to_uint<F + 1>(0) : to_uint<F + 1>(above ? one : cos_code);
+    in.distance = to_uint<F + 1>(one - static_cast<sint<F + 2>>(in.C));
+    in.negative = below;
+    in.clamped = none || below || above;
+    return in;
+}
+
+/// quotient = floor(x 2^S / D) for 0 <= x <= D, D > 0: S + 1 restoring steps, one quotient bit each.
+/// `partial` is what is left of the dividend, in units of the step's quotient bit. It enters a step with at most
+/// 2 D - 1 (the first with x <= D), so `remainder`, with or without D taken off, is at most D - 1 and fits the width of
+/// D; doubled for the next step it is at most 2 D - 2: one bit more.
+template <int S, int D_W>
+uint<S + 1> divide(uint<D_W> x, uint<D_W> D) {
+    uint<D_W + 1> partial = x;
+    uint<S + 1> quotient = 0;
+#ifdef GLINT_HLS_PRAGMAS
+#pragma hls_unroll yes
+#ifdef __BAMBU__
+#pragma clang loop unroll(full)
+#endif
+#endif
+    for (int step = 0; step <= S; ++step) {
+#ifdef GLINT_HLS_PRAGMAS
+#pragma HLS UNROLL
+#endif
+        const bool fits = partial >= D;
+        const uint<D_W> reduced = to_uint<D_W>(partial - D);
+        const uint<D_W> remainder = fits ? reduced : to_uint<D_W>(partial);
+        quotient = to_uint<S + 1>((quotient << 1) | to_uint<S + 1>(fits));
+        partial = to_uint<D_W + 1>(to_uint<D_W + 1>(remainder) << 1);
+    }
+    return quotient;
+}
+
+/// n (2^F - C), at most 1023 2^F.
+template <int F>
+uint<F + 10> scaled_distance(const Corrected<F>& in) {
+    return to_uint<F + 10>(to_uint<F + 10>(in.n) * to_uint<F + 10>(in.distance));
+}
+
+/// Schlick's fraction at S bits: floor(C 2^S / D), D = n 2^F - (n-1) C = C + n (2^F - C). D is at most n 2^F, since it
+/// falls when C grows: F + 10 bits; and never 0 (at least C, and at least n 2^F when C = 0). 0 .. 2^S, since C <= D.
+template <int F, int S>
+uint<S + 1> ratio(const Corrected<F>& in) {
+    const uint<F + 10> D = to_uint<F + 10>(in.C + scaled_distance<F>(in));
+    return divide<S, F + 10>(in.C, D);
+}
+
+/// The result word: y from bit 0, 0 where cos < 0; clamped in bit 31.
+template <int F, int O>
+std::uint32_t word(const Corrected<F>& in, uint<O + 1> y) {
+    const uint<32> value = in.negative ? to_uint<32>(0) : to_uint<32>(y);
+    return to_uint<32>(value | to_uint<32>(to_uint<32>(in.clamped) << 31));
+}
+
+}  // namespace glint_hls
+
+// GLINT_TOP_FUNCTION(top, kernel): the top function `top`, one result a clock, of a kernel, which is a function from
+// (uint<10> n, sint<F + 2> cos_code) to the result word, a template on the struct of constants `top`_constants. Of the
+// arguments the low 10 and the low F + 2 bits count.
+#ifdef GLINT_HLS_PRAGMAS
+#define GLINT_PIPELINE_CATAPULT _Pragma("hls_pipeline_init_interval 1")
+#define GLINT_PIPELINE_VITIS _Pragma("HLS PIPELINE II = 1")
+#else
+#define GLINT_PIPELINE_CATAPULT
+#define GLINT_PIPELINE_VITIS
+#endif
+#define GLINT_TOP_FUNCTION(top, kernel)                                                                  \
+    extern "C" std::uint32_t top(std::uint16_t n, std::int32_t cos_code);                                \
+    GLINT_PIPELINE_CATAPULT                                                                              \
+    extern "C" std::uint32_t top(std::uint16_t n, std::int32_t cos_code) {                               \
+        GLINT_PIPELINE_VITIS                                                                             \
+        return glint_hls::kernel<top##_constants>(glint_hls::to_uint<10>(n),                             \
+                                                  glint_hls::to_sint<top##_constants::F + 2>(cos_code)); \
+    }
+
+#endif

@@ -1,0 +1,84 @@
+// What the files of the lobes share: a golden model made of a format, the numbers of a custom profile, the generated
+// files.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "../domain.hpp"
+#include "glint/error.hpp"
+#include "glint/fixed_point.hpp"
+#include "glint/lobes.hpp"
+#include "glint/reference.hpp"
+
+namespace glint {
+
+/// The golden model of a lobe whose contract is a plain sequence of integers. `Format` holds the word lengths, and:
+///   static constexpr std::string_view lobe;
+///   Steps steps(int n, std::int64_t C) const;     the integers for corrected arguments; Steps has a member y
+///   std::vector<Intermediate> named(std::int64_t C, const Steps&) const;     them with their names; ends with y
+///   double real(double c, double n) const;        the real function, 0 <= c <= 1, n >= 1
+template <class Format>
+class PlainModel final : public GoldenModel {
+public:
+    PlainModel(const Profile& profile, const Format& format) : GoldenModel(Format::lobe, profile), f_(format) {}
+
+    void reference(double n, std::span<const double> c, std::span<double> out) const override {
+        const std::size_t count = std::min(c.size(), out.size());
+        for (std::size_t i = 0; i < count; ++i) out[i] = f_.real(c[i], n);
+    }
+
+private:
+    std::uint32_t value(int n, std::int32_t cosine) const override {
+        return static_cast<std::uint32_t>(f_.steps(n, cosine).y);
+    }
+    std::vector<Intermediate> intermediates(int n, std::int32_t cosine) const override {
+        return f_.named(cosine, f_.steps(n, cosine));
+    }
+    void batch(std::span<const std::uint16_t> n, std::span<const std::int32_t> cos_code,
+               std::span<std::uint32_t> packed) const override {
+        const std::int32_t one = profile().one();
+        for (std::size_t i = 0; i < n.size(); ++i) {
+            const Corrected in = correct(n[i], cos_code[i], one);
+            packed[i] = pack({in.negative ? 0U : static_cast<std::uint32_t>(f_.steps(in.n, in.cosine).y), in.clamped});
+        }
+    }
+
+    Format f_;
+};
+
+/// A number of a custom profile within its legal range. Throws Error.
+int in_range(std::string_view lobe, std::string_view what, int value, int low, int high);
+
+/// Throws Error unless a custom profile has as many numbers as `names` ("F,S,O") and F is in 8..30, O in 4..28.
+void check_custom(const Profile& profile, std::string_view lobe, std::string_view names);
+
+/// A parameter of a unit or a constant of a kernel: its name and its value, as source text.
+struct Constant {
+    std::string name;
+    std::string value;
+    std::string meaning;  ///< a comment in the HLS header; may be empty
+};
+
+/// A signed Verilog literal of `width` bits. Legal: |value| < 2^(width - 1).
+std::string verilog_literal(std::int64_t value, int width);
+
+/// The Verilog wrappers of the unit and of its AXI4-Stream form, with the parameters set, and the HLS header of
+/// constants.
+std::vector<GeneratedFile> generated_sources(std::string_view lobe, const Profile& profile,
+                                             const std::vector<Constant>& parameters,
+                                             const std::vector<Constant>& hls_constants);
+
+/// The Gappa script of a lobe at a profile, headed as proofs/gappa/run.py wants it. `format` says the word lengths,
+/// e.g. "F, S, O: 18, 15, 12".
+GeneratedFile gappa_script(std::string_view lobe, const Profile& profile, std::string_view format,
+                           std::string_view body);
+
+/// The cases that belong to every lobe, legal and illegal: n at its ends, c = 0, 1 ulp, 1 - 1 ulp .. 1 - 16 ulp, 1, and
+/// all that the ports correct. A lobe's own come after them.
+std::vector<HardCase> common_hard_cases(const GoldenModel& model);
+
+}  // namespace glint
