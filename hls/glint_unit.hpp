@@ -73,6 +73,13 @@ uint<S + 1> ratio(const Corrected<F>& in) {
     return divide<S, F + 10>(in.C, D);
 }
 
+/// rnd(x^2, 2 S - R): the square of a fraction 0 .. 2^S, at R bits, 0 .. 2^R. Its product and half fit 2 S + 1 bits.
+template <int S, int R>
+uint<R + 1> square(uint<S + 1> x) {
+    const uint<2 * S + 1> product = to_uint<2 * S + 1>(to_uint<2 * S + 1>(x) * to_uint<2 * S + 1>(x));
+    return to_uint<R + 1>(rnd<2 * S - R>(product));
+}
+
 /// The result word: y from bit 0, 0 where cos < 0; clamped in bit 31.
 template <int F, int O>
 std::uint32_t word(const Corrected<F>& in, uint<O + 1> y) {

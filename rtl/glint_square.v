@@ -1,0 +1,36 @@
+// glint_square: y = rnd(x^2, 2 S - R): the square of a fraction 0 .. 1 at S bits, rounded to R bits. Latency 2 clocks.
+//
+// No valid bits and no reset: its owner counts clocks. Table of ports and parameters: docs/rtl.md.
+
+`default_nettype none
+
+module glint_square #(
+    parameter S = 17,  // fraction bits of x
+    parameter R = 17   // fraction bits of y; R < 2 S
+) (
+    input  wire       clk_i,
+    input  wire       enable_i,
+    input  wire [S:0] x_i,      // 0 .. 2^S
+    output wire [R:0] y_o       // 0 .. 2^R
+);
+
+    localparam CUT = 2 * S - R;
+
+    // x^2 <= 2^(2S); with the half that rounds it still fits 2 S + 1 bits.
+    reg [2*S:0] product_q;
+    /* verilator lint_off UNUSED */  // the low bits of the sum are those that rounding cuts
+    wire [2*S:0] sum = product_q + {{(2 * S + 1 - CUT) {1'b0}}, 1'b1, {(CUT - 1) {1'b0}}};
+    /* verilator lint_on UNUSED */
+
+    reg [R:0] y_q;
+    always @(posedge clk_i) begin
+        if (enable_i) begin
+            product_q <= {{S{1'b0}}, x_i} * {{S{1'b0}}, x_i};
+            y_q       <= sum[2*S:CUT];
+        end
+    end
+    assign y_o = y_q;
+
+endmodule
+
+`default_nettype wire
