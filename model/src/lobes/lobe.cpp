@@ -1,6 +1,7 @@
 #include "lobe.hpp"
 
 #include <algorithm>
+#include <bit>
 
 namespace glint {
 namespace {
@@ -17,12 +18,78 @@ std::string header(std::string_view lobe, const Profile& profile, std::string_vi
                        module, what, profile.argument(), lobe, profile.argument());
 }
 
-GeneratedFile core(std::string_view lobe, const Profile& profile, const std::vector<Constant>& parameters) {
+int address_bits(const Table& table) { return static_cast<int>(std::bit_width(table.rows.size())) - 1; }
+
+int entry_bits(const Table& table) {
+    int bits = 0;
+    for (const Table::Field& field : table.fields) bits += field.width;
+    return bits;
+}
+
+/// The low `width` bits.
+std::uint64_t field_code(std::int64_t value, int width) {
+    return static_cast<std::uint64_t>(value) & (~std::uint64_t{0} >> (64 - width));
+}
+
+std::string rom(const std::string& module, const Table& table) {
+    std::string rows;
+    for (std::size_t i = 0; i < table.rows.size(); ++i) {
+        std::string fields;
+        for (std::size_t k = 0; k < table.fields.size(); ++k) {
+            const int width = table.fields[k].width;
+            fields += fmt::format("{}{}'d{}", k == 0 ? "" : ", ", width, field_code(table.rows[i][k], width));
+        }
+        rows += fmt::format("                {}'d{}: entry_o <= {{{}}};\n", address_bits(table), i, fields);
+    }
+    return fmt::format(R"(
+// {}: a read-only memory; the entry comes one enabled clock after its address.
+module {} (
+    input  wire        clk_i,
+    input  wire        enable_i,
+    input  wire [{}:0] address_i,
+    output reg  [{}:0] entry_o
+);
+
+    always @(posedge clk_i) begin
+        if (enable_i) begin
+            case (address_i)
+{}            endcase
+        end
+    end
+
+endmodule
+)",
+                       module, module, address_bits(table) - 1, entry_bits(table) - 1, rows);
+}
+
+GeneratedFile core(std::string_view lobe, const Profile& profile, const std::vector<Constant>& parameters,
+                   const std::vector<Table>& tables) {
     std::size_t width = 0;
     for (const Constant& p : parameters) width = std::max(width, p.name.size());
     std::string assignments;
     for (const Constant& p : parameters) assignments += fmt::format("        .{:{}}({}),\n", p.name, width, p.value);
     const std::string module = fmt::format("glint_{}_{}", lobe, profile.name);
+    std::string wires, ports, instances, roms;
+    for (const Table& table : tables) {
+        const std::string& n = table.name;
+        wires += fmt::format("    wire [{}:0] {}_address;\n    wire [{}:0] {}_entry;\n", address_bits(table) - 1, n,
+                             entry_bits(table) - 1, n);
+        ports += fmt::format(",\n        .{0}_address_o({0}_address),\n        .{0}_entry_i({0}_entry)", n);
+        instances += fmt::format(R"(
+    {0}_{1} {1} (
+        .clk_i    (clk_i),
+        .enable_i (table_enable),
+        .address_i({1}_address),
+        .entry_o  ({1}_entry)
+    );
+)",
+                                 module, n);
+        roms += rom(fmt::format("{}_{}", module, n), table);
+    }
+    if (!tables.empty()) {
+        wires = "    wire table_enable;\n" + wires + '\n';
+        ports = ",\n        .table_enable_o(table_enable)" + ports;
+    }
     return {GeneratedFile::Target::verilog, module + ".v",
             header(lobe, profile, module, fmt::format("the unit glint_{}", lobe)) +
                 fmt::format(R"(
@@ -45,7 +112,7 @@ module {} #(
     output wire             clamped_o
 );
 
-    glint_{} #(
+{}    glint_{} #(
 {}        .TAG_W(TAG_W)
     ) core (
         .clk_i    (clk_i),
@@ -59,14 +126,14 @@ module {} #(
         .ready_i  (ready_i),
         .y_o      (y_o),
         .tag_o    (tag_o),
-        .clamped_o(clamped_o)
+        .clamped_o(clamped_o){}
     );
-
+{}
 endmodule
-
+{}
 `default_nettype wire
 )",
-                            module, profile.F + 1, profile.O, lobe, assignments)};
+                            module, profile.F + 1, profile.O, wires, lobe, assignments, ports, instances, roms)};
 }
 
 GeneratedFile axis(std::string_view lobe, const Profile& profile) {
@@ -152,12 +219,22 @@ endmodule
                             module, profile.F + 1, profile.O, profile.F, profile.O, lobe, profile.name)};
 }
 
-GeneratedFile kernel(std::string_view lobe, const Profile& profile, const std::vector<Constant>& constants) {
+GeneratedFile kernel(std::string_view lobe, const Profile& profile, const std::vector<Constant>& constants,
+                     const std::vector<Table>& tables) {
     const std::string name = fmt::format("glint_{}_{}_constants", lobe, profile.name);
     std::string members;
     for (const Constant& c : constants) {
         members += fmt::format("    static constexpr {} = {};{}\n", c.name, c.value,
                                c.meaning.empty() ? "" : "  // " + c.meaning);
+    }
+    for (const Table& table : tables) {
+        for (std::size_t k = 0; k < table.fields.size(); ++k) {
+            members += fmt::format(
+                "    static std::int64_t {}_{}(unsigned index) {{\n        static const std::int64_t values[] = {{\n",
+                table.name, table.fields[k].name);
+            for (const auto& row : table.rows) members += fmt::format("            {},\n", row[k]);
+            members += "        };\n        return values[index];\n    }\n";
+        }
     }
     return {GeneratedFile::Target::hls, name + ".hpp",
             fmt::format(R"(// {0}: word lengths and constants of the HLS kernel at profile {1}.
@@ -200,8 +277,9 @@ std::string verilog_literal(std::int64_t value, int width) {
 
 std::vector<GeneratedFile> generated_sources(std::string_view lobe, const Profile& profile,
                                              const std::vector<Constant>& parameters,
-                                             const std::vector<Constant>& hls_constants) {
-    return {core(lobe, profile, parameters), axis(lobe, profile), kernel(lobe, profile, hls_constants)};
+                                             const std::vector<Constant>& hls_constants,
+                                             const std::vector<Table>& tables) {
+    return {core(lobe, profile, parameters, tables), axis(lobe, profile), kernel(lobe, profile, hls_constants, tables)};
 }
 
 GeneratedFile gappa_script(std::string_view lobe, const Profile& profile, std::string_view format,

@@ -63,14 +63,28 @@ struct Constant {
     std::string meaning;  ///< a comment in the HLS header; may be empty
 };
 
+/// A read-only memory beside a unit. The unit has the ports <name>_address_o and <name>_entry_i; the entry is there one
+/// enabled clock (table_enable_o) after the address: the fields side by side, the first the most significant. The
+/// kernel gets a function <name>_<field>(index) for each field.
+struct Table {
+    struct Field {
+        std::string name;
+        int width = 0;  ///< bits; a negative value is stored as two's complement, the unit and the kernel read it back
+    };
+    std::string name;
+    std::vector<Field> fields;
+    std::vector<std::vector<std::int64_t>> rows;  ///< 2^k of them, each with a value per field
+};
+
 /// A signed Verilog literal of `width` bits. Legal: |value| < 2^(width - 1).
 std::string verilog_literal(std::int64_t value, int width);
 
-/// The Verilog wrappers of the unit and of its AXI4-Stream form, with the parameters set, and the HLS header of
-/// constants.
+/// The Verilog wrappers of the unit and of its AXI4-Stream form, with the parameters set and the tables beside the
+/// unit, and the HLS header of constants.
 std::vector<GeneratedFile> generated_sources(std::string_view lobe, const Profile& profile,
                                              const std::vector<Constant>& parameters,
-                                             const std::vector<Constant>& hls_constants);
+                                             const std::vector<Constant>& hls_constants,
+                                             const std::vector<Table>& tables = {});
 
 /// The Gappa script of a lobe at a profile, headed as proofs/gappa/run.py wants it. `format` says the word lengths,
 /// e.g. "F, S, O: 18, 15, 12".
