@@ -1,0 +1,390 @@
+#!/usr/bin/env python3
+"""Proves the stream handshake and the divider of the Verilog in rtl/, with Yosys and z3.
+
+A task copies the modules that it needs, adds the property file of each before its `endmodule`, and hands the result to
+yosys-smtbmc. `induction` holds for any length of run, `cover` shows that what the properties speak of does happen, and
+a planted bug is an edit of the copy that the property named for it has to find. What is proven at which parameters:
+README.md. Exit status: 0, 1 (a check failed), 2 (bad arguments, or a program is missing).
+"""
+
+import argparse
+import concurrent.futures
+import json
+import os
+import pathlib
+import re
+import shutil
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+from dataclasses import dataclass, field
+
+HERE = pathlib.Path(__file__).resolve().parent
+RTL = HERE.parent.parent / "rtl"
+TIMEOUT_SECONDS = 300
+PROGRAMS = {"yosys": "yosys", "yosys-smtbmc": "yosys", "z3": "z3"}  # and the package of each
+
+
+class UsageError(Exception):
+    """What was asked cannot be done: one line, exit status 2."""
+
+
+@dataclass
+class Task:
+    name: str
+    shows: str
+    top: str                       # the module under proof
+    kind: str                      # its property file: stream, axis, skid, delay or divider
+    parameters: dict
+    method: str                    # induction, cover or bug
+    depth: int                     # induction: the largest k tried; else the clocks looked at
+    only: str = ""                 # the properties in question, as a regular expression; else all
+    defines: tuple = ()
+    edit: tuple = ()               # bug: module, text, what stands there instead
+    failures: list = field(default_factory=list)
+    result: str = ""
+    seconds: float = 0.0
+
+
+# ---- what is proven -------------------------------------------------------------------------------------------------
+
+# One line a lobe: the parameters of its unit at the shipped profiles, and the smallest legal ones, where latency is
+# short enough for covers, planted bugs and the AXI4-Stream wrapper. The wrapper's name is that of the unit and `_axis`.
+STREAMS = {
+    "bps": ({"p8": {"F": 16, "S": 11, "K": 11, "O": 8}, "p12": {"F": 18, "S": 15, "K": 15, "O": 12},
+             "p16": {"F": 20, "S": 19, "K": 19, "O": 16}}, {"F": 8, "S": 4, "K": 4, "O": 4}),
+}
+TAG_W = 16
+DIVIDERS = {"p8": (28, 26, 12), "p12": (34, 28, 16), "p16": (40, 30, 20)}  # X_W, Y_W, Q_W in glint_bps
+
+HANDSHAKE = "no item lost, repeated or reordered; stable in a stall; tag kept; reset"
+
+# Planted bugs of any stream unit: what breaks, the property that finds it, module, text, what stands there instead.
+STREAM_BUGS = [
+    ("stall_ignored", "stable", "wire               advance = ready_i | ~valid_q[LATENCY-1];",
+     "wire               advance = 1'b1;"),
+    ("valid_waits_for_ready", "valid_does_not_wait", "advance = ready_i | ~valid_q[LATENCY-1];", "advance = ready_i;"),
+    ("item_lost", "delivered", "valid_q[LATENCY-2:0], valid_i}", "valid_q[LATENCY-2:0], valid_i & ready_i}"),
+    ("bubble_comes_out", "nothing_invented", "valid_q[LATENCY-2:0], valid_i}", "valid_q[LATENCY-2:0], 1'b1}"),
+    ("survives_reset", "nothing_invented", "if (!rst_ni) valid_q <= {LATENCY{1'b0}};\n        else if (advance)",
+     "if (advance)"),
+    ("ready_in_reset", "silent_in_reset", "assign ready_o = rst_ni & advance;", "assign ready_o = advance;"),
+    ("every_second_clock", "full_rate", "assign ready_o = rst_ni & advance;",
+     "assign ready_o = rst_ni & advance & ~valid_q[0];"),
+    ("accepts_when_full", "capacity", "assign ready_o = rst_ni & advance;", "assign ready_o = rst_ni;"),
+    ("tag_stays_behind", "in_turn", ") delay_tag (\n        .clk_i   (clk_i),\n        .enable_i(advance),",
+     ") delay_tag (\n        .clk_i   (clk_i),\n        .enable_i(ready_i),"),
+]
+AXIS_BUGS = [
+    ("sidebands_swapped", "in_turn", "({s_axis_tuser, s_axis_tlast,", "({s_axis_tlast, s_axis_tuser,"),
+    ("cos_off_by_a_bit", "operands_kept", "s_axis_tdata[32+F+1:32]", "s_axis_tdata[31+F+1:31]"),
+    ("y_shifted", "result_kept", "{(30 - O) {1'b0}}, y}", "{(29 - O) {1'b0}}, y, 1'b0}"),
+    ("core_never_stalls", "in_turn", ".ready_i  (out_ready),", ".ready_i  (1'b1),"),
+    ("result_while_ready", "stable", "{clamped, {(30", "{clamped & m_axis_tready, {(30"),
+    ("item_taken_twice", "nothing_invented", ".ready_i(in_ready),", ".ready_i(in_ready & m_axis_tready),"),
+    ("output_not_reset", "silent_in_reset", ") skid_out (\n        .clk_i  (aclk),\n        .rst_ni (aresetn),",
+     ") skid_out (\n        .clk_i  (aclk),\n        .rst_ni (1'b1),"),
+]
+SKID_BUGS = [
+    ("spare_forgotten", "delivered", "valid_q <= spare_full_q | accept;", "valid_q <= accept;"),
+    ("shown_twice", "nothing_invented", "valid_q <= spare_full_q | accept;", "valid_q <= valid_q | accept;"),
+    ("order_lost", "in_turn", "data_q <= spare_full_q ? spare_q : data_i;", "data_q <= data_i;"),
+    ("stall_ignored", "stable", "leave  = ready_i | ~valid_q;", "leave  = 1'b1;"),
+    ("ready_after_reset", "silent_in_reset", "ready_q      <= 1'b0;", "ready_q      <= 1'b1;"),
+    ("every_second_clock", "full_rate", "ready_q      <= ~spare_full;", "ready_q      <= ~spare_full & ~accept;"),
+    ("accepts_when_full", "capacity", "ready_q      <= ~spare_full;", "ready_q      <= 1'b1;"),
+    ("valid_pauses", "valid_does_not_wait", "assign valid_o = valid_q;", "assign valid_o = valid_q & ready_q;"),
+]
+DELAY_BUGS = [
+    ("stage_skipped", "comes_out", "data_q <= stage[i-1].data_q;", "data_q <= stage[0].data_q;"),
+    ("enable_ignored", "holds", "if (enable_i) data_q <= stage[i-1].data_q;", "data_q <= stage[i-1].data_q;"),
+]
+DIVIDER_BUGS = [
+    ("equal_does_not_fit", "one_stage", "shifted >= {1'b0, divisor};", "shifted > {1'b0, divisor};"),
+    ("stage_skips", "stage_moves", "remainder_q <= reduced;", "remainder_q <= remainder;"),
+    ("quotient_inverted", "divides", "{bits[Q_W-2:0], fits};", "{bits[Q_W-2:0], ~fits};"),
+    ("divisor_of_another", "divisor_kept", "divisor_q   <= divisor;", "divisor_q   <= divisor_i;"),
+    ("enable_ignored", "holds", "if (enable_i) begin", "if (enable_i | fits) begin"),
+]
+
+
+def bugs(unit, top, kind, parameters, depth, table, defines=()):
+    return [Task(f"bugs.{unit}.{name}", f"`{prop}` fails", top, kind, parameters, "bug", depth,
+                 rf"(.*\.)?{prop}", defines, (top, text, instead)) for name, prop, text, instead in table]
+
+
+def divider(x, y, q):
+    return {"X_W": x, "Y_W": y, "Q_W": q}
+
+
+def tasks():
+    out = [Task("skid.handshake", HANDSHAKE, "glint_skid", "skid", {"WIDTH": 64}, "induction", 2),
+           Task("skid.cover", "not vacuous", "glint_skid", "skid", {"WIDTH": 8}, "cover", 10),
+           Task("skid.cover_full", "the bounds are reached", "glint_skid", "skid", {"WIDTH": 8}, "cover", 14,
+                defines=("DEEP_COVER",)),
+           *bugs("skid", "glint_skid", "skid", {"WIDTH": 8}, 8, SKID_BUGS)]
+    for stages in (1, 21, 30):
+        out.append(Task(f"delay.{stages}", "comes out STAGES enabled clocks later; holds without enable", "glint_delay",
+                        "delay", {"WIDTH": TAG_W + 1, "STAGES": stages}, "induction", 2))
+    out += [Task("delay.cover", "not vacuous", "glint_delay", "delay", {"WIDTH": 4, "STAGES": 5}, "cover", 12),
+            *bugs("delay", "glint_delay", "delay", {"WIDTH": 4, "STAGES": 5}, 9, DELAY_BUGS)]
+    small = divider(10, 6, 5)
+    for name, widths in DIVIDERS.items():
+        out.append(Task(f"divider.stage.{name}", "one stage: 2 remainder + bit = fits divisor + reduced < divisor",
+                        "glint_divider", "divider", divider(*widths), "induction", 1, "one_stage|stage_moves",
+                        ("TWO_STAGES",)))
+    for name, widths in DIVIDERS.items():
+        out.append(Task(f"divider.{name}", "whole divider, by bookkeeping; holds without enable", "glint_divider",
+                        "divider", divider(*widths), "induction", 1))
+    out += [Task("divider.multiply", "quotient divisor + remainder = dividend, remainder < divisor, as written",
+                 "glint_divider", "divider", small, "induction", 1, defines=("MULTIPLY",)),
+            Task("divider.cover", "not vacuous", "glint_divider", "divider", small, "cover", 12),
+            *bugs("divider", "glint_divider", "divider", small, 9, DIVIDER_BUGS, ("MULTIPLY",))]
+    for lobe, (profiles, small) in STREAMS.items():
+        unit = f"glint_{lobe}"
+        for profile, parameters in profiles.items():
+            out.append(Task(f"{lobe}.{profile}", HANDSHAKE, unit, "stream", {**parameters, "TAG_W": TAG_W}, "induction",
+                            2))
+        core = {**small, "TAG_W": 2}
+        axis = {**small, "USER_W": 1}
+        out += [Task(f"{lobe}.cover", "not vacuous", unit, "stream", core, "cover", 24),
+                Task(f"{lobe}.cover_full", "the bounds are reached", unit, "stream", core, "cover", 50,
+                     defines=("DEEP_COVER",)),
+                *bugs(lobe, unit, "stream", core, 22, STREAM_BUGS),
+                Task(f"axis.{lobe}.handshake", HANDSHAKE + "; operands and result kept", f"{unit}_axis", "axis", axis,
+                     "induction", 3),
+                Task(f"axis.{lobe}.cover", "not vacuous", f"{unit}_axis", "axis", axis, "cover", 28),
+                *bugs(f"axis.{lobe}", f"{unit}_axis", "axis", axis, 24, AXIS_BUGS)]
+    return out
+
+
+# ---- how ------------------------------------------------------------------------------------------------------------
+
+def needed(top):
+    """The module and all that it instantiates, directly or not."""
+    found, left = {}, [top]
+    while left:
+        name = left.pop()
+        path = RTL / f"{name}.v"
+        if not path.exists():
+            raise UsageError(f"module {name} has no file {path.name} in {RTL}")
+        found[name] = path.read_text()
+        left += [n for n in re.findall(r"^\s*(glint_\w+) #\(", found[name], re.M) if n not in found]
+    return found
+
+
+def property_file(name, modules):
+    """The text that goes before a module's `endmodule`: its own file, or that of all units of its kind."""
+    own = HERE / f"{name}.vh"
+    if own.exists():
+        return own.read_text()
+    if name.endswith("_axis"):
+        latency = re.search(r"localparam LATENCY = ([^;]+);", modules[name[:-len("_axis")]])
+        return (HERE / "glint_axis.vh").read_text().replace("CORE_LATENCY;", f"{latency.group(1)};")
+    return (HERE / "glint_stream.vh").read_text() if "localparam LATENCY" in modules[name] else ""
+
+
+def prepare(task, folder):
+    """Writes the copies of the modules and runs Yosys; the result is model.smt2."""
+    modules = needed(task.top)
+    if task.edit:
+        module, text, instead = task.edit
+        if modules[module].count(text) != 1:
+            raise RuntimeError(f"the edit applies {modules[module].count(text)} times to {module}.v, not once")
+        modules[module] = modules[module].replace(text, instead)
+    for name, text in modules.items():
+        end = text.rindex("endmodule")
+        (folder / f"{name}.v").write_text(text[:end] + property_file(name, modules) + text[end:])
+    shutil.copy(HERE / "glint_scoreboard.v", folder)
+    defines = " ".join(f"-D {name}" for name in ("SYNTHESIS", f"PROVE_{task.kind.upper()}") + task.defines)
+    parameters = " ".join(f"-chparam {name} {value}" for name, value in task.parameters.items())
+    script = f"read_verilog -formal -defer {defines} *.v\nhierarchy -check -top {task.top} {parameters}\n"
+    if task.kind in ("stream", "axis"):
+        # Any product and any quotient will do: the handshake must not depend on them.
+        script += "cutpoint t:$mul t:*glint_divider*\n"
+    script += "proc\nflatten\nopt -full\nsetundef -undriven -anyseq\ndffunmap\nopt_clean\n"
+    script += "delete t:$assert\n" if task.method == "cover" else "delete t:$cover\n"
+    script += "check -assert\nwrite_rtlil model.il\nwrite_smt2 -wires model.smt2\n"
+    (folder / "model.ys").write_text(script)
+    run(["yosys", "-q", "-l", "yosys.log", "model.ys"], folder, "Yosys")
+    if task.only:
+        names = [n for n in cells(folder, "assert") if re.fullmatch(task.only, n)]
+        if not names:
+            raise RuntimeError(f"no property `{task.only}` in the model")
+        keep = " ".join(f"c:{name}" for name in names)
+        (folder / "only.ys").write_text(
+            f"read_rtlil model.il\nselect -set kept {keep}\ndelete t:$assert @kept %d\nopt_clean\n"
+            "write_rtlil model.il\nwrite_smt2 -wires model.smt2\n")
+        run(["yosys", "-q", "-l", "only.log", "only.ys"], folder, "Yosys")
+
+
+def run(command, folder, what):
+    done = subprocess.run(command, cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
+                          check=False, timeout=TIMEOUT_SECONDS)
+    if done.returncode != 0:
+        raise RuntimeError(f"{what} ended with status {done.returncode}: {' '.join(done.stdout.split())[-300:]}")
+
+
+def cells(folder, kind):
+    """The names of the properties of a kind (assert, cover) in the model."""
+    return re.findall(rf"^  cell \${kind} \\(\S+)$", (folder / "model.il").read_text(), re.M)
+
+
+solvers = set()  # the process groups of yosys-smtbmc and its z3, which would outlive this program
+
+
+def stop(number, _):
+    for group in solvers:
+        os.killpg(group, signal.SIGKILL)
+    os._exit(128 + number)
+
+
+def solve(task, folder, *arguments):
+    """One run of yosys-smtbmc: whether it ended with PASSED, and what it printed."""
+    # Which way of asking z3 answers fast differs by factors of a hundred, either way.
+    ways = [] if task.kind == "stream" and task.method == "induction" else ["--unroll", "--noincr"]
+    command = ["yosys-smtbmc", "--noprogress", *ways, "-s", "z3", *arguments, "model.smt2"]
+    process = subprocess.Popen(command, cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
+                               start_new_session=True)
+    solvers.add(process.pid)
+    try:
+        output, _ = process.communicate(timeout=TIMEOUT_SECONDS)
+    except subprocess.TimeoutExpired as error:
+        os.killpg(process.pid, signal.SIGKILL)
+        process.communicate()
+        raise RuntimeError(f"the solver was stopped after {TIMEOUT_SECONDS} s") from error
+    finally:
+        solvers.discard(process.pid)
+    found = re.search(r"Status: (\w+)", output)
+    if not found:
+        raise RuntimeError(f"no status from yosys-smtbmc: {' '.join(output.split())[-300:]}")
+    return found.group(1) == "PASSED", output
+
+
+def failed_property(output):
+    found = re.findall(r"(?:Assert failed in \S+: |Unreached cover statement at )(\S+?)\.?$", output, re.M)
+    return ", ".join(dict.fromkeys(found)) or "no property named"
+
+
+def prove(task, folder):
+    prepare(task, folder)
+    count = len(cells(folder, "cover" if task.method == "cover" else "assert"))
+    if count == 0:
+        raise RuntimeError("no property in the model")
+    if task.method == "cover":
+        passed, output = solve(task, folder, "-c", "-t", str(task.depth))
+        reached = len(re.findall(r"Reached cover statement", output))
+        if not passed or reached != count:
+            raise RuntimeError(f"reached {reached} of {count} covers in {task.depth} clocks: {failed_property(output)}")
+        steps = [int(n) for n in re.findall(r"Reached cover statement at \S+ in step (\d+)", output)]
+        task.result = f"{count} reached, the last at clock {max(steps)}"
+    elif task.method == "bug":
+        passed, output = solve(task, folder, "-t", str(task.depth))
+        if passed:
+            raise RuntimeError(f"the planted bug is not found in {task.depth} clocks: {task.shows.split()[0]} holds")
+        if not re.fullmatch(task.only, failed_property(output)):
+            raise RuntimeError(f"the planted bug fails {failed_property(output)}, not {task.shows.split()[0]}")
+        clock = re.findall(r"in step (\d+)", output)[-1]
+        task.result = f"found at clock {clock}"
+    else:
+        passed, output = solve(task, folder, "-t", str(task.depth))  # the base case
+        if not passed:
+            raise RuntimeError(f"fails after reset: {failed_property(output)}")
+        passed, output = solve(task, folder, "-i", "-t", str(task.depth))
+        if not passed:
+            raise RuntimeError(f"the induction does not close: {failed_property(output)}")
+        k = task.depth - min(int(n) for n in re.findall(r"Trying induction in step (\d+)", output))
+        task.result = f"proven, {count} properties, k = {max(k, 1)}"
+
+
+def carry_out(task, build):
+    start = time.monotonic()
+    with tempfile.TemporaryDirectory(prefix="glint-formal-") as temporary:
+        folder = pathlib.Path(temporary)
+        if build:
+            folder = build / task.name
+            folder.mkdir(parents=True, exist_ok=True)
+        try:
+            prove(task, folder)
+        except (RuntimeError, subprocess.TimeoutExpired) as error:
+            task.failures.append(str(error))
+    task.seconds = time.monotonic() - start
+    parameters = " ".join(f"{name}={value}" for name, value in task.parameters.items())
+    print(f"{'FAILED' if task.failures else 'ok':6}  {task.name:34}  {task.shows}  [{parameters}]  {task.method}: "
+          f"{task.result or '; '.join(task.failures)}  {task.seconds:.1f} s", flush=True)
+    return task
+
+
+def to_json(task):
+    return {"name": task.name, "shows": task.shows, "module": task.top, "parameters": task.parameters,
+            "method": task.method, "ok": not task.failures, "result": task.result, "failures": task.failures,
+            "seconds": round(task.seconds, 2)}
+
+
+def write(path, text):
+    temporary = path.with_name(f"{path.name}.{os.getpid()}.tmp")
+    try:
+        temporary.write_text(text)
+        temporary.replace(path)
+    except OSError as error:
+        raise UsageError(f"--json {path} cannot be written: {error.strerror}") from error
+
+
+def chosen(all_tasks, only):
+    """A name stands for the task of that name, or for all that begin with it and a dot."""
+    out = []
+    for name in only:
+        found = [task for task in all_tasks if task.name == name or task.name.startswith(f"{name}.")]
+        if not found:
+            legal = ", ".join(dict.fromkeys(task.name.split(".")[0] for task in all_tasks))
+            raise UsageError(f"--only {name} is no task; legal is a name of --list, or a group: {legal}")
+        out += [task for task in found if task not in out]
+    return out if only else all_tasks
+
+
+def main():
+    parser = argparse.ArgumentParser(description="Handshake of the stream units, and the divider, by Yosys and z3.",
+                                     epilog="Example: run.py --only bps --only bugs.bps --json formal.json")
+    parser.add_argument("--only", action="append", default=[], metavar="NAME",
+                        help="a task, or a group of tasks (skid, divider.stage, bugs.bps); may be given several times")
+    parser.add_argument("--list", action="store_true", help="print the names of the tasks and stop")
+    parser.add_argument("--jobs", type=int, default=1, metavar="N", help="tasks at a time (default: 1)")
+    parser.add_argument("--json", type=pathlib.Path, metavar="FILE", help="write the same facts as JSON")
+    parser.add_argument("--build", type=pathlib.Path, metavar="DIR",
+                        help="keep the copies, scripts and models there (default: a temporary folder)")
+    options = parser.parse_args()
+    if options.jobs < 1:
+        raise UsageError(f"--jobs {options.jobs} is not legal: at least 1")
+    for program, package in PROGRAMS.items():
+        if not shutil.which(program):
+            raise UsageError(f"program '{program}' not found; install the package `{package}`")
+    wanted = chosen(tasks(), options.only)
+    if options.list:
+        print("\n".join(task.name for task in wanted))
+        return 0
+    for number in (signal.SIGINT, signal.SIGTERM):
+        signal.signal(number, stop)
+    start = time.monotonic()
+    build = options.build.resolve() if options.build else None
+    with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
+        done = list(pool.map(lambda task: carry_out(task, build), wanted))
+    failed = [task.name for task in done if task.failures]
+    if options.json:
+        write(options.json, json.dumps({"tool": "proofs/formal/run.py", "tasks": [to_json(task) for task in done]},
+                                       indent=1) + "\n")
+    print(f"{len(done) - len(failed)} of {len(done)} tasks passed in {time.monotonic() - start:.0f} s")
+    if not done:
+        print("FAILED: no task")
+    for name in failed:
+        print(f"FAILED: {name}")
+    return 1 if failed or not done else 0
+
+
+if __name__ == "__main__":
+    try:
+        sys.exit(main())
+    except UsageError as error:
+        print(f"run.py: {error}", file=sys.stderr)
+        sys.exit(2)
