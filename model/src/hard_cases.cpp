@@ -44,27 +44,30 @@ HardCaseTable hard_case_table(const Lobe& lobe) {
 }
 
 HardCaseTable stream_case_table() {
-    return {
-        "Streams",
-        {"case", "what could go wrong", "what comes out", "covered by"},
-        4,
-        {
-            {"stall with a full pipeline", "a result is overwritten or shown twice", "every result once, in order",
-             "cosim.exhaustive_stalls_p8, cosim.heavy_stalls"},
-            {"bubbles among inputs", "a bubble comes out as a result", "as many results as inputs", "cosim.stalls"},
-            {"stall in the clock in which the skid buffer fills", "the item in flight is lost",
-             "it waits in the spare register", "cosim.axis_stalls"},
-            {"reset in mid-stream", "old results come out after it", "nothing of what was in flight", "cosim.reset"},
-            {"random register contents at power-up", "a register without reset shows",
-             "only valid bits count, and they are reset", "every cosim run (registers start random)"},
-            {"another n on every clock", "operands of neighbours mix", "each result is of its own input",
-             "cosim.stalls, cosim.reset, replay by Icarus"},
-        }};
+    return {"Streams",
+            {"case", "what could go wrong", "what comes out", "covered by"},
+            4,
+            {
+                {"stall with a full pipeline", "a result is overwritten or shown twice", "every result once, in order",
+                 "cosim.exhaustive_stalls_p8, cosim.heavy_stalls, formal.bps"},
+                {"bubbles among inputs", "a bubble comes out as a result", "as many results as inputs",
+                 "cosim.stalls, formal.bps"},
+                {"stall in the clock in which the skid buffer fills", "the item in flight is lost",
+                 "it waits in the spare register", "cosim.axis_stalls, formal.skid, formal.axis"},
+                {"reset in mid-stream", "old results come out after it", "nothing of what was in flight",
+                 "cosim.reset, formal.bps, formal.axis"},
+                {"random register contents at power-up", "a register without reset shows",
+                 "only valid bits count, and they are reset",
+                 "every cosim run (registers start random), formal.bps, formal.axis (any contents)"},
+                {"another n on every clock", "operands of neighbours mix", "each result is of its own input",
+                 "cosim.stalls, cosim.reset, replay by Icarus"},
+            }};
 }
 
 std::string_view hard_case_legend() {
     return "For each named case: the input, what could go wrong, what\n"
-           "comes out, and by which test or proof it is covered. `cosim.*` are CTest names; hls, proof (Gappa, for "
+           "comes out, and by which test or proof it is covered. `cosim.*`, `formal.*` are CTest names; hls, proof "
+           "(Gappa, for "
            "all\n"
            "inputs) and oracle are CTest labels; `unit` is a test case of glint-unit-tests.\n";
 }
