@@ -35,6 +35,7 @@ install_missing() {
     need libfmt-dev file_there '/usr/include/fmt/core.h'
     need libcli11-dev file_there '/usr/include/CLI/CLI.hpp'
     need nlohmann-json3-dev file_there '/usr/include/nlohmann/json.hpp'
+    need libglpk-dev file_there '/usr/include/glpk.h'
     need zlib1g-dev file_there '/usr/include/zlib.h'
     need gappa command_there gappa
     need python3 command_there python3

@@ -106,6 +106,30 @@ class Case(unittest.TestCase):
         return (self.folder / name).read_text()
 
 
+class Fit(Case):
+    def test_published(self):
+        """The regression of the paper, from its own data set: its coefficients to the digits printed there."""
+        for method in ("least-squares", "qr"):
+            text = self.good("fit", "--method", method, "--json", "fit.json")
+            found = json.loads((self.folder / "fit.json").read_text())
+            self.equal(found["rows"], 1571000)
+            self.equal([f"{found['coefficients'][0]:.6f}"] + [f"{x:.3f}" for x in found["coefficients"][1:]],
+                       ["0.002737", "-0.374", "2.995", "-1.631"])
+            for x in found["coefficients"]:
+                self.true(f"{x:.9g}" in text, f"{x} in {text}")
+
+    def test_refusals(self):
+        for arguments, line in (
+                (("--variable", "phong"), "variable 'phong' is not legal"),
+                (("--method", "remez"), "method 'remez' is not legal"),
+                (("--degree", "9"), "--degree"),
+                (("--degree", "1", "--zero-at-0", "--one-at-1"), "degree 1"),
+                (("--n", "0:3"), "--n '0:3' is not legal"),
+                (("--theta", "0:2:0.1"), "--theta '0:2:0.1' is not legal"),
+                (("--n", "5", "--theta", "0.5"), "do not determine")):
+            self.refused(line, "fit", *arguments)
+
+
 class Help(Case):
     def subcommands(self):
         text = self.good("--help")
