@@ -1,0 +1,121 @@
+// glint_cosine_power: the specular highlight max(0, (n/a)(c - 1) + 1)^a in fixed point, one result a clock.
+//
+// The arithmetic is docs/lobes/cosine_power.md; a value here carries the name that it has there. Table of ports,
+// handshake: docs/rtl.md.
+
+`default_nettype none
+
+module glint_cosine_power #(
+    parameter F      = 18,  // fraction bits of the cosine
+    parameter LOG2_A = 3,   // a = 2^LOG2_A, so many squarings: 1 .. 6
+    parameter S      = 16,  // fraction bits of the powers; O <= S <= F + LOG2_A
+    parameter O      = 12,  // fraction bits of the output
+    parameter TAG_W  = 16   // width of the tag, at least 1
+) (
+    input  wire             clk_i,
+    input  wire             rst_ni,   // synchronous, active low
+    input  wire             valid_i,
+    output wire             ready_o,
+    input  wire       [9:0] n_i,      // specular exponent
+    input  wire     [F+1:0] cos_i,    // cosine, signed, code / 2^F
+    input  wire [TAG_W-1:0] tag_i,
+    output wire             valid_o,
+    input  wire             ready_i,
+    output wire       [O:0] y_o,      // result, code / 2^O, 0 .. 2^O
+    output wire [TAG_W-1:0] tag_o,
+    output wire             clamped_o // an input was out of range and was corrected
+);
+
+    localparam LATENCY = 2 * LOG2_A + 3;  // 1 correct, 1 product n d, 1 base, 2 a squaring
+
+    wire       advance, negative;
+    wire [9:0] n;
+    wire [F:0] distance;
+    /* verilator lint_off PINCONNECTEMPTY */  // the cosine itself is not needed
+    glint_ports #(
+        .F      (F),
+        .LATENCY(LATENCY),
+        .TAG_W  (TAG_W)
+    ) ports (
+        .clk_i     (clk_i),
+        .rst_ni    (rst_ni),
+        .valid_i   (valid_i),
+        .ready_o   (ready_o),
+        .n_i       (n_i),
+        .cos_i     (cos_i),
+        .tag_i     (tag_i),
+        .valid_o   (valid_o),
+        .ready_i   (ready_i),
+        .tag_o     (tag_o),
+        .clamped_o (clamped_o),
+        .advance_o (advance),
+        .n_o       (n),
+        .cosine_o  (),
+        .distance_o(distance),
+        .negative_o(negative)
+    );
+    /* verilator lint_on PINCONNECTEMPTY */
+
+    // ---- p1 = rnd(base, F + LOG2_A - S), base = max(0, a 2^F - n d) -----------------------------------------------
+    // n d <= 1023 2^F: F + 10 bits. a 2^F <= 2^(F+6) and the half that rounds is below it, so offset - n d is between
+    // -1023 2^F and 2^(F+7): F + 11 bits with the sign. Rounded before it is cut: rnd is monotone and keeps 0.
+    localparam ND_W   = F + 10;
+    localparam BASE_W = F + 11;
+    localparam CUT    = F + LOG2_A - S;  // bits dropped, at least 0
+
+    localparam [BASE_W-1:0] UNIT   = {{(BASE_W - 1) {1'b0}}, 1'b1};
+    localparam [BASE_W-1:0] OFFSET = (UNIT << (F + LOG2_A)) + ((UNIT << CUT) >> 1);
+
+    reg    [ND_W-1:0] product_q;
+    /* verilator lint_off UNUSED */  // the low bits are those that rounding cuts; the high ones repeat the sign
+    wire [BASE_W-1:0] base = OFFSET - {1'b0, product_q};
+    /* verilator lint_on UNUSED */
+    reg         [S:0] p1_q;  // 0 .. 2^S, since base is at most a 2^F
+    always @(posedge clk_i) begin
+        if (advance) begin
+            product_q <= {{(ND_W - 10) {1'b0}}, n} * {{(ND_W - F - 1) {1'b0}}, distance};
+            p1_q      <= base[BASE_W-1] ? {(S + 1) {1'b0}} : base[CUT+S:CUT];
+        end
+    end
+
+    // ---- p2 = rnd(p1^2, S), p4 = rnd(p2^2, S), ...: all but the last squaring -------------------------------------
+    // Field i holds p<2^i>.
+    wire [LOG2_A*(S+1)-1:0] p;
+    assign p[S:0] = p1_q;
+
+    genvar i;
+    generate
+        for (i = 1; i < LOG2_A; i = i + 1) begin : squaring
+            glint_square #(
+                .S(S),
+                .R(S)
+            ) square (
+                .clk_i   (clk_i),
+                .enable_i(advance),
+                .x_i     (p[(i-1)*(S+1)+:S+1]),
+                .y_o     (p[i*(S+1)+:S+1])
+            );
+        end
+    endgenerate
+
+    // ---- y = rnd(p^2, 2 S - O): the last squaring, which also makes y 0 for cos < 0 -------------------------------
+    // p^2 <= 2^(2S); with the half that rounds it still fits 2 S + 1 bits.
+    localparam CUT_Y = 2 * S - O;  // at least O, since O <= S
+
+    wire [2*S:0] last = {{S{1'b0}}, p[(LOG2_A-1)*(S+1)+:S+1]};
+    reg  [2*S:0] square_q;
+    /* verilator lint_off UNUSED */  // the low bits of the sum are those that rounding cuts
+    wire [2*S:0] sum = square_q + {{(2 * S + 1 - CUT_Y) {1'b0}}, 1'b1, {(CUT_Y - 1) {1'b0}}};
+    /* verilator lint_on UNUSED */
+    reg    [O:0] y_q;
+    always @(posedge clk_i) begin
+        if (advance) begin
+            square_q <= last * last;
+            y_q      <= negative ? {(O + 1) {1'b0}} : sum[2*S:CUT_Y];
+        end
+    end
+    assign y_o = y_q;
+
+endmodule
+
+`default_nettype wire
