@@ -2,7 +2,7 @@
 # Bambu (2024.10 or later); its steps after the C simulation nobody has run yet. In any folder:
 #
 #   glint vectors --lobe bps --profile p12 --count 10000 --seed 1 --format tv -o <repository>/hls/vectors
-#   <repository>/hls/bambu/run_hls.sh [PROFILE]          p8, p12 (default), p16
+#   <repository>/hls/bambu/run_hls.sh [PROFILE [LOBE]]   p8, p12 (default), p16; bps (default), cayley, ...
 #
 # C simulation (the host's compiler), then synthesis and cosimulation of the RTL by Verilator, with the same test bench
 # and vectors; the first failure ends it. Leaves <top>/<top>.v. The environment chooses:
@@ -11,7 +11,8 @@ set -eu
 
 hls=$(cd "$(dirname "$0")/.." && pwd)
 profile=${1:-p12}
-top=glint_bps_$profile
+lobe=${2:-bps}
+top=glint_${lobe}_$profile
 vectors=$hls/vectors/$top.tv
 case $profile in
     p8 | p12 | p16) ;;
@@ -20,6 +21,10 @@ case $profile in
         exit 2
         ;;
 esac
+if [ ! -r "$hls/glint_$lobe.cpp" ]; then
+    echo "run_hls.sh: lobe '$lobe' is not known: there is no glint_$lobe.cpp" >&2
+    exit 2
+fi
 if [ ! -r "$vectors" ]; then
     echo "run_hls.sh: cannot read '$vectors': write it with \`glint vectors --format tv\`" >&2
     exit 2
@@ -28,7 +33,7 @@ mkdir -p "$top"
 cd "$top"
 
 echo "C simulation"
-"${CXX:-g++}" -std=c++14 -O1 -DGLINT_TOP="$top" "$hls/glint_bps.cpp" "$hls/testbench.cpp" -o testbench
+"${CXX:-g++}" -std=c++14 -O1 -DGLINT_TOP="$top" "$hls/glint_$lobe.cpp" "$hls/testbench.cpp" -o testbench
 ./testbench "$top" "$vectors"
 
 bambu=${BAMBU:-bambu}
@@ -38,7 +43,7 @@ if ! command -v "$bambu" >/dev/null; then
 fi
 
 echo "Synthesis and cosimulation"
-"$bambu" "$hls/glint_bps.cpp" --top-fname="$top" --std=c++14 -O2 \
+"$bambu" "$hls/glint_$lobe.cpp" --top-fname="$top" --std=c++14 -O2 \
     --pipelining="$top"=1 --generate-interface=INFER --reset-type=sync --reset-level=low \
     --device-name="${BAMBU_DEVICE:-xc7z020-1clg484-VVD}" --clock-period="${BAMBU_PERIOD:-10}" \
     --generate-tb="$hls/testbench.cpp" --tb-extra-gcc-options="-std=c++14 -DGLINT_TOP=$top" \

@@ -5,13 +5,14 @@
 #
 # C simulation, synthesis and cosimulation of the RTL (SCVerify), each with the same test bench and vectors; the first
 # failure ends it with exit status 1. The Verilog is rtl.v in the folder of the solution. The environment chooses:
-#   GLINT_PROFILE p8, p12 (default), p16     GLINT_PERIOD clock period in ns, 5
+#   GLINT_LOBE bps (default), cayley, ...     GLINT_PROFILE p8, p12 (default), p16     GLINT_PERIOD clock period in ns, 5
 #   GLINT_SIMULATOR msim (default), vcs, ncsim: the name by which SCVerify knows the RTL simulator
 
 proc choice {name default} { return [expr {[info exists ::env($name)] ? $::env($name) : $default}] }
 
 set hls [file dirname [file dirname [file normalize [info script]]]]
-set top glint_bps_[choice GLINT_PROFILE p12]
+set lobe [choice GLINT_LOBE bps]
+set top glint_${lobe}_[choice GLINT_PROFILE p12]
 set period [choice GLINT_PERIOD 5.0]
 set simulator [choice GLINT_SIMULATOR msim]
 set vectors [file join $hls vectors $top.tv]
@@ -31,7 +32,7 @@ if {[catch {
     flow package require /SCVerify
     flow package option set /SCVerify/INVOKE_ARGS "$top $vectors"
 
-    solution file add [file join $hls glint_bps.cpp] -type C++
+    solution file add [file join $hls glint_$lobe.cpp] -type C++
     solution file add [file join $hls testbench.cpp] -type C++ -exclude true
     go analyze
     solution design set $top -top

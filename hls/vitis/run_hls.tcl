@@ -5,12 +5,14 @@
 #
 # C simulation, synthesis, cosimulation of the RTL and export, each with the same test bench and vectors; the first
 # failure ends it with exit status 1. The environment chooses:
-#   GLINT_PROFILE p8, p12 (default), p16     GLINT_PART xc7a35tcpg236-1     GLINT_PERIOD clock period in ns, 5
+#   GLINT_LOBE bps (default), cayley, ...     GLINT_PROFILE p8, p12 (default), p16
+#   GLINT_PART xc7a35tcpg236-1     GLINT_PERIOD clock period in ns, 5
 
 proc choice {name default} { return [expr {[info exists ::env($name)] ? $::env($name) : $default}] }
 
 set hls [file dirname [file dirname [file normalize [info script]]]]
-set top glint_bps_[choice GLINT_PROFILE p12]
+set lobe [choice GLINT_LOBE bps]
+set top glint_${lobe}_[choice GLINT_PROFILE p12]
 set vectors [file join $hls vectors $top.tv]
 if {![file readable $vectors]} {
     puts stderr "run_hls.tcl: cannot read '$vectors': write it with `glint vectors --format tv`"
@@ -20,7 +22,7 @@ if {![file readable $vectors]} {
 if {[catch {
     open_project -reset $top
     set_top $top
-    add_files [file join $hls glint_bps.cpp] -cflags "-std=c++14"
+    add_files [file join $hls glint_$lobe.cpp] -cflags "-std=c++14"
     add_files -tb [file join $hls testbench.cpp] -cflags "-std=c++14 -DGLINT_TOP=$top"
     open_solution -reset solution -flow_target vivado
     set_part [choice GLINT_PART xc7a35tcpg236-1]
