@@ -147,15 +147,15 @@ std::vector<std::string> split_profiles(const std::string& text) {
     return out;
 }
 
-std::vector<const Lobe*> split_lobes(const std::string& text) {
-    std::vector<const Lobe*> out;
+std::vector<LobeChoice> split_lobes(const std::string& text) {
+    std::vector<LobeChoice> out;
     if (text == "all") {
-        for (const Lobe& lobe : lobes()) out.push_back(&lobe);
+        for (const Lobe& lobe : lobes()) out.push_back({&lobe, {}});
         return out;
     }
     for (std::size_t begin = 0; begin <= text.size();) {
         const std::size_t end = std::min(text.find(',', begin), text.size());
-        out.push_back(&find_lobe(text.substr(begin, end - begin)));
+        out.push_back(parse_lobe(text.substr(begin, end - begin)));
         begin = end + 1;
     }
     return out;
@@ -163,8 +163,10 @@ std::vector<const Lobe*> split_lobes(const std::string& text) {
 
 std::vector<std::unique_ptr<GoldenModel>> models(const std::string& lobes, const std::string& profiles) {
     std::vector<std::unique_ptr<GoldenModel>> out;
-    for (const Lobe* lobe : split_lobes(lobes)) {
-        for (const std::string& profile : split_profiles(profiles)) out.push_back(lobe->golden(parse_profile(profile)));
+    for (const LobeChoice& choice : split_lobes(lobes)) {
+        for (const std::string& profile : split_profiles(profiles)) {
+            out.push_back(choice.lobe->golden(choice.profile(profile)));
+        }
     }
     return out;
 }

@@ -57,7 +57,7 @@ Progress progress_bar(std::string label);
 std::string table(const std::vector<std::vector<std::string>>& rows);
 
 /// "bps,schlick", or "all": every lobe of the registry. Throws Error.
-std::vector<const Lobe*> split_lobes(const std::string& text);
+std::vector<LobeChoice> split_lobes(const std::string& text);
 
 /// The golden models of every pair of the two comma separated lists, lobes outermost. A custom profile holds commas
 /// itself: its numbers are taken together. Throws Error.

@@ -42,16 +42,17 @@ int run_emit(const Options& options) {
         throw Error(fmt::format("target '{}' is not legal: verilog, hls, proof or all", options.target));
     }
     make_folder(options.folder);
-    const Lobe& lobe = find_lobe(options.lobe);
+    const LobeChoice choice = parse_lobe(options.lobe);
+    const Lobe& lobe = *choice.lobe;
     for (const std::string& text : split_profiles(options.profile)) {
-        const Profile profile = parse_profile(text);
+        const Profile profile = choice.profile(text);
         for (const GeneratedFile& file : lobe.emit(profile)) {
             if (options.target != "all" && options.target != name(file.target)) continue;
             const std::filesystem::path path = std::filesystem::path(options.folder) / file.name;
             write_file(path, file.text);
             fmt::print("{}\n", path.string());
         }
-        if (!profile.shipped()) {
+        if (!profile.shipped() || !profile.options.empty()) {
             fmt::print("{} {}: rounding error {}\n", lobe.name, text, measured_bound(*lobe.golden(profile)));
         }
     }

@@ -152,8 +152,9 @@ void add_eval(CLI::App& app, Chosen& chosen) {
     command->footer("Example: glint eval --lobe bps --profile p12 --n 50 --cos 0.98");
     command->callback([=, &chosen] {
         chosen.run = [=] {
-            const Lobe& lobe = find_lobe(options->lobe);
-            const auto model = lobe.golden(parse_profile(options->profile));
+            const LobeChoice choice = parse_lobe(options->lobe);
+            const Lobe& lobe = *choice.lobe;
+            const auto model = lobe.golden(choice.profile(options->profile));
             if (options->from_stdin) return Stream(*model, options->port).run();
             if (n->count() == 0) throw Error("--n is missing: 1 to 1023 (or --stdin)");
             if (cosine->count() + code->count() == 0) throw Error("--cos or --cos-code is missing (or --stdin)");

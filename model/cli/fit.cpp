@@ -36,7 +36,7 @@ int run_fit(const Options& options, const std::string& command) {
     std::string list;
     for (std::size_t k = 0; k < result.coefficients.size(); ++k) {
         rows.push_back({std::to_string(k), fmt::format("{:.9g}", result.coefficients[k])});
-        list += fmt::format("{}{:.9g}", k == 0 ? "" : ",", result.coefficients[k]);
+        list += fmt::format(":{:.9g}", result.coefficients[k]);
     }
     if (!options.json.empty()) {
         nlohmann::ordered_json out;
@@ -55,8 +55,9 @@ int run_fit(const Options& options, const std::string& command) {
     fmt::print(
         "error of the polynomial, not cut at 0, over the rows: RMS {:.6f}, largest {:.6f} at n={} theta={:.4f}\n",
         result.rms, result.largest, result.largest_n, result.largest_theta);
-    fmt::print("glint emit --lobe polynomial:variable={}:coefficients={} --profile p12 -o out\n",
-               name(request.variable), list);
+    if (request.degree >= 2 && request.degree <= 6) {
+        fmt::print("glint emit --lobe polynomial:{}{} --profile p12 -o out\n", name(request.variable), list);
+    }
     return success;
 }
 

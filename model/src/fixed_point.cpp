@@ -9,7 +9,7 @@
 namespace glint {
 
 std::int64_t quantize_constant(double value, int fraction_bits) {
-    if (!(std::abs(value) < 4.0)) throw Error(fmt::format("constant {} is not legal: |constant| < 4", value));
+    if (!(std::abs(value) < 64.0)) throw Error(fmt::format("constant {} is not legal: |constant| < 64", value));
     if (fraction_bits < 0 || fraction_bits > 48) {
         throw Error(fmt::format("constant at {} fraction bits is not legal: 0 to 48", fraction_bits));
     }

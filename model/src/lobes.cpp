@@ -31,4 +31,17 @@ const Lobe& find_lobe(std::string_view name) {
     throw Error(fmt::format("lobe '{}' is not known: {}", name, known));
 }
 
+LobeChoice parse_lobe(std::string_view text) {
+    const std::size_t colon = text.find(':');
+    LobeChoice out{&find_lobe(text.substr(0, colon)), {}};
+    if (colon == std::string_view::npos) return out;
+    out.options = text.substr(colon + 1);
+    if (out.lobe->options.empty() || out.options.empty()) {
+        throw Error(fmt::format("lobe '{}' is not legal: {}", text,
+                                out.lobe->options.empty() ? fmt::format("{} takes no options", out.lobe->name)
+                                                          : fmt::format("{}:{}", out.lobe->name, out.lobe->options)));
+    }
+    return out;
+}
+
 }  // namespace glint

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cstdint>
 
 #include <fmt/format.h>
 
@@ -12,12 +13,14 @@ namespace glint {
 
 std::string Profile::argument() const {
     std::string out = name;
+    if (!options.empty()) out.resize(out.rfind('_'));
     std::replace(out.begin(), out.end(), '_', ',');
     return out;
 }
 
 std::span<const Profile> shipped_profiles() {
-    static const std::array<Profile, 3> profiles{{{"p8", 16, 8, {}}, {"p12", 18, 12, {}}, {"p16", 20, 16, {}}}};
+    static const std::array<Profile, 3> profiles{
+        {{"p8", 16, 8, {}, {}}, {"p12", 18, 12, {}, {}}, {"p16", 20, 16, {}, {}}}};
     return profiles;
 }
 
@@ -50,6 +53,15 @@ Profile parse_profile(std::string_view text) {
     if (out.F < 8 || out.F > 30) throw refuse(fmt::format("F = {}", out.F));
     if (out.O < 4 || out.O > 28) throw refuse(fmt::format("O = {}", out.O));
     return out;
+}
+
+Profile with_options(Profile profile, std::string_view options) {
+    if (options.empty()) return profile;
+    std::uint32_t hash = 2166136261U;  // FNV-1a: files and modules of different options need different names
+    for (const char c : options) hash = (hash ^ static_cast<unsigned char>(c)) * 16777619U;
+    profile.options = options;
+    profile.name += fmt::format("_x{:08x}", hash);
+    return profile;
 }
 
 }  // namespace glint

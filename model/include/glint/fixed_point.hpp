@@ -10,7 +10,8 @@ namespace glint {
 constexpr std::int64_t rnd(std::int64_t x, int k) { return k == 0 ? x : (x + (std::int64_t{1} << (k - 1))) >> k; }
 
 /// A real constant at `fraction_bits` bits: value * 2^fraction_bits to the nearest integer, halves away from zero.
-/// Legal: finite, 0 <= fraction_bits <= 48, |value| < 4 (so that the scaling by a power of two is exact). Throws Error.
+/// Legal: finite, 0 <= fraction_bits <= 48, |value| < 64 (so that the scaling by a power of two is exact). Throws
+/// Error.
 std::int64_t quantize_constant(double value, int fraction_bits);
 
 /// A cosine at `fraction_bits` bits, rounded the same way, as `--cos x` of the command line does.

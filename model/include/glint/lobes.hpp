@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -22,6 +23,7 @@ struct Lobe {
     std::unique_ptr<GoldenModel> (*golden)(const Profile&);
     std::vector<GeneratedFile> (*emit)(const Profile&);
     std::vector<HardCase> (*hard_cases)(const GoldenModel&);
+    std::string_view options = {};  ///< what may follow the name after a ':'; empty: nothing
 };
 
 /// All lobes, in the order of lobes.def.
@@ -29,5 +31,17 @@ std::span<const Lobe> lobes();
 
 /// Throws Error with the list of the known lobes.
 const Lobe& find_lobe(std::string_view name);
+
+/// A lobe, and what followed its name: "polynomial:symmetric:0:0:3:-2".
+struct LobeChoice {
+    const Lobe* lobe = nullptr;
+    std::string options;
+
+    /// "p12", "18,14,14,12": the profile for this choice. Throws Error.
+    Profile profile(std::string_view text) const { return with_options(parse_profile(text), options); }
+};
+
+/// Throws Error: an unknown lobe, or options for one that takes none.
+LobeChoice parse_lobe(std::string_view text);
 
 }  // namespace glint

@@ -18,6 +18,7 @@ struct Profile {
     int F = 0;         ///< fraction bits of the cosine
     int O = 0;         ///< fraction bits of the output
     std::vector<int> custom;  ///< empty for a shipped profile; else all numbers as given, e.g. F,S,K,O for `bps`
+    std::string options;      ///< of the lobe, as given after its name; `name` then ends with a mark made of them
 
     bool shipped() const { return custom.empty(); }
     /// As on the command line: "p12", or the numbers joined by ','.
@@ -32,5 +33,8 @@ std::span<const Profile> shipped_profiles();
 /// "p8", "p12", "p16", or comma separated integers, the first of them F and the last O, with 8 <= F <= 30 and
 /// 4 <= O <= 28. What the numbers between mean is the lobe's to say and to check. Throws Error.
 Profile parse_profile(std::string_view text);
+
+/// The profile for a lobe with options; itself when they are empty.
+Profile with_options(Profile profile, std::string_view options);
 
 }  // namespace glint

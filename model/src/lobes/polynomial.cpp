@@ -1,6 +1,8 @@
 // The lobe `polynomial`: docs/lobes/polynomial.md.
 
 #include <array>
+#include <charconv>
+#include <cmath>
 
 #include "lobe.hpp"
 
@@ -35,6 +37,37 @@ double value(const Polynomial& p, double c, double n) {
     double f = 0.0;
     for (std::size_t i = p.coefficients.size(); i-- > 0;) f = f * x + p.coefficients[i];
     return std::clamp(f, 0.0, 1.0);
+}
+
+/// "symmetric:0:-0.3444:2.8786:-1.5342": the variable, then the coefficients of the powers 0, 1, ...
+Polynomial parse_polynomial(std::string_view text) {
+    const auto refuse = [&](std::string_view why) {
+        return Error(
+            fmt::format("options '{}' are not legal for polynomial: {}; legal are schlick or symmetric, then the "
+                        "coefficients of the powers 0, 1, ..., 3 to 7 of them below 64, separated by ':'",
+                        text, why));
+    };
+    Polynomial out{Variable::schlick, {}};
+    std::string_view field = text.substr(0, text.find(':'));
+    if (field == "symmetric") {
+        out.variable = Variable::symmetric;
+    } else if (field != "schlick") {
+        throw refuse(fmt::format("variable '{}'", field));
+    }
+    for (std::string_view rest = text; field.size() != rest.size();) {
+        rest.remove_prefix(field.size() + 1);
+        field = rest.substr(0, rest.find(':'));
+        double number = 0.0;
+        const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), number);
+        if (error != std::errc{} || end != field.data() + field.size() || !(std::abs(number) < 64.0)) {
+            throw refuse(fmt::format("coefficient '{}'", field));
+        }
+        out.coefficients.push_back(number);
+    }
+    if (out.coefficients.size() < 3 || out.coefficients.size() > 7) {
+        throw refuse(fmt::format("{} coefficients", out.coefficients.size()));
+    }
+    return out;
 }
 
 double reference_polynomial(double c, double n) {
@@ -109,7 +142,13 @@ struct PolynomialFormat {
 
 PolynomialFormat polynomial_format(const Profile& profile) {
     constexpr std::string_view lobe = PolynomialFormat::lobe;
-    PolynomialFormat f{shipped_polynomial(), profile.F, profile.O + 3, profile.O + 3, profile.O, 0, {}};
+    PolynomialFormat f{profile.options.empty() ? shipped_polynomial() : parse_polynomial(profile.options),
+                       profile.F,
+                       profile.O + 3,
+                       profile.O + 3,
+                       profile.O,
+                       0,
+                       {}};
     if (!profile.shipped()) {
         check_custom(profile, lobe, "F,S,K,O");
         f.S = in_range(lobe, "S", profile.custom[1], f.O, 30);
@@ -295,7 +334,8 @@ Lobe polynomial_lobe() {
             reference_polynomial,
             make_polynomial,
             emit_polynomial,
-            polynomial_hard_cases};
+            polynomial_hard_cases,
+            "VARIABLE:k0:k1:..."};
 }
 
 }  // namespace glint
