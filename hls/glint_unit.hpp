@@ -80,6 +80,33 @@ uint<R + 1> square(uint<S + 1> x) {
     return to_uint<R + 1>(rnd<2 * S - R>(product));
 }
 
+/// A power of a fraction r = 0 .. 2^S, by SQUARES squarings at S bits and one product, rounded to O bits: 1 to 6 is
+/// that power, 7 the eighth (with SQUARES of 2 or more), 0 the power 2^(SQUARES + 1).
+template <int S, int O, int SQUARES>
+uint<O + 1> power(uint<S + 1> r, uint<3> chosen) {
+    uint<S + 1> powers[SQUARES + 1];
+    powers[0] = r;
+#ifdef GLINT_HLS_PRAGMAS
+#pragma hls_unroll yes
+#endif
+    for (int i = 1; i <= SQUARES; ++i) {
+#ifdef GLINT_HLS_PRAGMAS
+#pragma HLS UNROLL
+#endif
+        powers[i] = square<S, S>(powers[i - 1]);
+    }
+    const uint<S + 1> one = to_uint<S + 1>(uint<S + 1>{1} << S);
+    const uint<S + 1> last = powers[SQUARES];
+    const uint<S + 1> r2 = powers[SQUARES >= 1 ? 1 : 0];
+    const uint<S + 1> r4 = powers[SQUARES >= 2 ? 2 : 0];
+    const bool takes_r = chosen == 2 || chosen == 3 || chosen == 5;
+    const bool takes_r2 = chosen == 4 || chosen == 6;
+    const uint<S + 1> left = chosen == 0 ? last : chosen <= 2 ? r : chosen <= 4 ? r2 : r4;
+    const uint<S + 1> right = chosen == 0 ? last : chosen == 1 ? one : takes_r ? r : takes_r2 ? r2 : r4;
+    const uint<2 * S + 1> exact = to_uint<2 * S + 1>(to_uint<2 * S + 1>(left) * to_uint<2 * S + 1>(right));
+    return to_uint<O + 1>(rnd<2 * S - O>(exact));
+}
+
 /// The result word: y from bit 0, 0 where cos < 0; clamped in bit 31.
 template <int F, int O>
 std::uint32_t word(const Corrected<F>& in, uint<O + 1> y) {
