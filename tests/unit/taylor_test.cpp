@@ -83,9 +83,7 @@ TEST_CASE("taylor: every p8 input is within its words, at most 1, and never fall
     for (int n = 1; n <= max_n; ++n) {
         std::uint32_t last = 0;
         for (int C = 0; C <= profile.one(); ++C) {
-            if (C % 8 == 0 || n < 11 || n == max_n || C > profile.one() - 64) {
-                if (!fits(model->trace(n, C), f)) FAIL("n " << n << " C " << C);
-            }
+            if (!fits(model->trace(n, C), f)) FAIL("n " << n << " C " << C);
             const std::uint32_t y = model->eval(n, C);
             if (y < last || y > 1U << f.O) FAIL("n " << n << " C " << C);
             last = y;
