@@ -89,9 +89,9 @@ module glint_cayley #(
         end
     end
 
-    // num before its cut to 0 is -1021 2^F .. 2 POWER 2^F, and POWER <= 32: the width of x. num <= den; where num is cut
-    // the answer is 0 whatever den, which is 1 there; elsewhere x <= 2 POWER C, with A = 0 a little more, 17.1 2^F, and
-    // den is below 4 POWER 2^F, with A = 0 at most 34.3 2^F.
+    // num before its cut to 0 is -1021 2^F .. 2 POWER 2^F, and POWER <= 32: the width of x. num <= den. Where num is
+    // cut the answer is 0 whatever den is; it is 1 there. Elsewhere x <= 2 POWER C, with A = 0 a little more, 17.1 2^F,
+    // and den is below 4 POWER 2^F, with A = 0 at most 34.3 2^F.
     localparam SHIFT = SQUARES + 2;  // 2 POWER = 2^SHIFT
     localparam N_W   = F + SHIFT + 1;
     localparam D_W   = A == 0 ? N_W + 1 : N_W;

@@ -29,8 +29,10 @@ module glint_power #(
     generate
         for (i = 0; i <= SQUARES; i = i + 1) begin : stage
             wire [S:0] last;
+            /* verilator lint_off UNUSED */  // without CHOICE
             wire [S:0] r1, r2, r4;
             wire [2:0] power;
+            /* verilator lint_on UNUSED */
             if (i == 0) begin : first
                 assign last  = r_i;
                 assign r1    = r_i;
