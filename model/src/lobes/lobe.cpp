@@ -43,6 +43,7 @@ std::string rom(const std::string& module, const Table& table) {
     }
     return fmt::format(R"(
 // {}: a read-only memory; the entry comes one enabled clock after its address.
+/* verilator lint_off DECLFILENAME */  // it has no file of its own
 module {} (
     input  wire        clk_i,
     input  wire        enable_i,
@@ -58,6 +59,7 @@ module {} (
     end
 
 endmodule
+/* verilator lint_on DECLFILENAME */
 )",
                        module, module, address_bits(table) - 1, entry_bits(table) - 1, rows);
 }
