@@ -1,0 +1,85 @@
+// glint_exp2: y = 2^-t at O fraction bits. Latency 7 clocks.
+//
+// The arithmetic is the section "exp2" of docs/exp-log.md; a value here carries the name that it has there. The table
+// is beside the unit: its entry comes one enabled clock after the address. No valid bits and no reset: its owner
+// counts clocks.
+
+`default_nettype none
+
+module glint_exp2 #(
+    parameter I_W = 15,  // integer bits of t, at least 6
+    parameter E   = 3,   // address bits, at least 2
+    parameter S   = 16,  // fraction bits of t and p, above O and above 2 E + 1
+    parameter O   = 12   // fraction bits of y, 4 .. 28
+) (
+    input  wire               clk_i,
+    input  wire               enable_i,
+    input  wire [I_W+S-1:0]   t_i,
+    input  wire               negative_i,  // y is to be 0; six clocks after t
+    output wire [E-1:0]       address_o,
+    input  wire [3*S-3*E+5:0] entry_i,     // {c0, c1, c2}
+    output wire [O:0]         y_o          // 0 .. 2^O
+);
+
+    localparam R    = S - E;
+    localparam C1_W = S - E + 3;      // 0 > h >= c1 > -2^(S-E) at S bits, at S + 2 bits; signed
+    localparam C2_W = S - 2 * E + 2;  // 0 < c2 < 2^(S-2E-1) at S bits, at S + 2 bits; signed
+
+    assign address_o = t_i[S-1:R];
+
+    // From an integer part of O + 2 on nothing is left, however p rounds.
+    localparam [I_W-1:0] LAST = O + 1;
+    wire [I_W-1:0] integer_part = t_i[I_W+S-1:S];
+    wire           beyond       = integer_part > LAST;
+
+    reg [R-1:0] r_q;
+    always @(posedge clk_i) begin
+        if (enable_i) r_q <= t_i[R-1:0];
+    end
+
+    // p = 2^-(fraction of t): 2^S at 0, else less; S + 1 bits.
+    /* verilator lint_off UNUSED */  // the bits of p that y's half does not reach
+    wire [S:0] p;
+    /* verilator lint_on UNUSED */
+    glint_quadratic #(
+        .R   (R),
+        .G   (2),
+        .V_W (S + 1),
+        .C1_W(C1_W),
+        .C2_W(C2_W)
+    ) quadratic (
+        .clk_i   (clk_i),
+        .enable_i(enable_i),
+        .r_i     ({1'b0, r_q}),
+        .c0_i    (entry_i[C1_W+C2_W+S:C1_W+C2_W]),
+        .c1_i    (entry_i[C1_W+C2_W-1:C2_W]),
+        .c2_i    (entry_i[C2_W-1:0]),
+        .value_o (p)
+    );
+
+    wire [4:0] shift;
+    wire       nothing;
+    glint_delay #(
+        .WIDTH (6),
+        .STAGES(5)
+    ) delay (
+        .clk_i   (clk_i),
+        .enable_i(enable_i),
+        .data_i  ({beyond, integer_part[4:0]}),
+        .data_o  ({nothing, shift})
+    );
+
+    // y = rnd(p, S - O + shift): cut to one bit more, then rounded by that bit.
+    reg [O+1:0] cut_q;
+    reg   [O:0] y_q;
+    always @(posedge clk_i) begin
+        if (enable_i) begin
+            cut_q <= nothing ? {(O + 2) {1'b0}} : p[S:S-O-1] >> shift;
+            y_q   <= negative_i ? {(O + 1) {1'b0}} : cut_q[O+1:1] + {{O{1'b0}}, cut_q[0]};
+        end
+    end
+    assign y_o = y_q;
+
+endmodule
+
+`default_nettype wire
