@@ -10,7 +10,7 @@ namespace glint_hls {
 /// c0 + rnd(h r, R + G), h = c1 + rnd(c2 r, R), for r = 0 .. 2^R. h has the width of c1; a product of a coefficient of
 /// W bits with r, and the half that rounds it, fit W + R bits, since r / 2^R is at most 1.
 template <int R, int G, int V_W, int C1_W, int C2_W>
-uint<V_W> quadratic(uint<V_W> c0, sint<C1_W> c1, sint<C2_W> c2, uint<R + 1> r) {
+uint<V_W> parabola(uint<V_W> c0, sint<C1_W> c1, sint<C2_W> c2, uint<R + 1> r) {
     const sint<C2_W + R> product2 = product<C2_W + R>(c2, r);
     const sint<C1_W> h = to_sint<C1_W>(c1 + to_sint<C1_W>(rnd<R>(product2)));
     const sint<C1_W + R> product1 = product<C1_W + R>(h, r);
@@ -49,8 +49,8 @@ uint<Constants::L + 5> log2(uint<Constants::F + 1> C) {
     const uint<F - 1> M = to_uint<F - 1>(normal >> 1);
     const auto index = static_cast<unsigned>(M >> R);
     const uint<L> l =
-        quadratic<R, 0, L, C1_W, C2_W>(to_uint<L>(Constants::log2_c0(index)), to_sint<C1_W>(Constants::log2_c1(index)),
-                                       to_sint<C2_W>(Constants::log2_c2(index)), to_uint<R + 1>(to_uint<R>(M)));
+        parabola<R, 0, L, C1_W, C2_W>(to_uint<L>(Constants::log2_c0(index)), to_sint<C1_W>(Constants::log2_c1(index)),
+                                      to_sint<C2_W>(Constants::log2_c2(index)), to_uint<R + 1>(to_uint<R>(M)));
     const uint<L + 5> none = to_uint<L + 5>(to_uint<L + 5>(31) << L);
     return C == 0 ? none : to_uint<L + 5>(to_uint<L + 5>(to_uint<L + 5>(z) << L) - to_uint<L + 5>(l));
 }
@@ -67,7 +67,7 @@ uint<Constants::O + 1> exp2(uint<T_W> t) {
 
     const uint<S> fraction = to_uint<S>(t);
     const auto index = static_cast<unsigned>(fraction >> R);
-    const uint<S + 1> p = quadratic<R, 2, S + 1, C1_W, C2_W>(
+    const uint<S + 1> p = parabola<R, 2, S + 1, C1_W, C2_W>(
         to_uint<S + 1>(Constants::exp2_c0(index)), to_sint<C1_W>(Constants::exp2_c1(index)),
         to_sint<C2_W>(Constants::exp2_c2(index)), to_uint<R + 1>(to_uint<R>(fraction)));
 

@@ -21,9 +21,9 @@ std::uint32_t gauss(uint<10> n, sint<Constants::F + 2> cos_code) {
     const bool end = (in.distance >> F) != 0;
     const auto index = end ? (1U << T) - 1U : static_cast<unsigned>(in.distance >> R);
     const uint<R + 1> r = end ? to_uint<R + 1>(uint<R + 1>{1} << R) : to_uint<R + 1>(to_uint<R>(in.distance));
-    const uint<L + 1> v = quadratic<R, 0, L + 1, C1_W, C2_W>(to_uint<L + 1>(Constants::angle_c0(index)),
-                                                             to_sint<C1_W>(Constants::angle_c1(index)),
-                                                             to_sint<C2_W>(Constants::angle_c2(index)), r);
+    const uint<L + 1> v = parabola<R, 0, L + 1, C1_W, C2_W>(to_uint<L + 1>(Constants::angle_c0(index)),
+                                                            to_sint<C1_W>(Constants::angle_c1(index)),
+                                                            to_sint<C2_W>(Constants::angle_c2(index)), r);
 
     // At most 1023 * 1.78 * 2^L, also with the half that rounds it: 11 integer bits.
     const uint<L + 11> scaled = to_uint<L + 11>(to_uint<L + 11>(in.n) * to_uint<L + 11>(v));

@@ -41,13 +41,13 @@ module glint_exp2 #(
     /* verilator lint_off UNUSED */  // the bits of p that y's half does not reach
     wire [S:0] p;
     /* verilator lint_on UNUSED */
-    glint_quadratic #(
+    glint_parabola #(
         .R   (R),
         .G   (2),
         .V_W (S + 1),
         .C1_W(C1_W),
         .C2_W(C2_W)
-    ) quadratic (
+    ) parabola (
         .clk_i   (clk_i),
         .enable_i(enable_i),
         .r_i     ({1'b0, r_q}),

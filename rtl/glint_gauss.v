@@ -77,13 +77,13 @@ module glint_gauss #(
 
     // v = theta^2 / (2 ln 2) <= 1.7799 2^L.
     wire [L:0] v;
-    glint_quadratic #(
+    glint_parabola #(
         .R   (R),
         .G   (0),
         .V_W (L + 1),
         .C1_W(C1_W),
         .C2_W(C2_W)
-    ) quadratic (
+    ) parabola (
         .clk_i   (clk_i),
         .enable_i(advance),
         .r_i     (r_q),

@@ -55,13 +55,13 @@ module glint_log2 #(
 
     // l = log2(1 + M / 2^(F-1)) < 1: L bits.
     wire [L-1:0] l;
-    glint_quadratic #(
+    glint_parabola #(
         .R   (R),
         .G   (0),
         .V_W (L),
         .C1_W(C1_W),
         .C2_W(C2_W)
-    ) quadratic (
+    ) parabola (
         .clk_i   (clk_i),
         .enable_i(enable_i),
         .r_i     ({1'b0, r_q}),
