@@ -41,75 +41,46 @@ module glint_bps #(
     end
 `endif
 
-    localparam LATENCY = S + 10;  // 1 correct, 2 divisor, S + 1 quotient, 6 Horner
+    localparam LATENCY = S + 10;  // 1 correct, S + 3 quotient, 6 Horner
 
-    // The whole pipeline moves, or none of it: it stands still only while a result waits at the output.
-    reg  [LATENCY-1:0] valid_q;
-    wire               advance = ready_i | ~valid_q[LATENCY-1];
-
-    assign ready_o = rst_ni & advance;
-    assign valid_o = rst_ni & valid_q[LATENCY-1];
-
-    always @(posedge clk_i) begin
-        if (!rst_ni) valid_q <= {LATENCY{1'b0}};
-        else if (advance) valid_q <= {valid_q[LATENCY-2:0], valid_i};
-    end
-
-    // ---- correct: n = 0 counts as 1, cos > 1 as 1; cos < 0 makes the result 0 ------------------------------------
-    localparam [F:0] ONE = {1'b1, {F{1'b0}}};  // 1.0 as a cosine code
-
-    wire above = ~cos_i[F+1] & cos_i[F] & (|cos_i[F-1:0]);  // code > 2^F
-    wire below = cos_i[F+1];                                // code < 0; C is then 0, a legal operand, and unused
-    wire none  = ~|n_i;
-
-    wire [F:0] corrected = below ? {(F + 1) {1'b0}} : above ? ONE : cos_i[F:0];
-
-    reg [9:0] n_q;
-    reg [F:0] cosine_q;    // C: 0 .. 2^F
-    reg [F:0] distance_q;  // 2^F - C: 0 .. 2^F
-    always @(posedge clk_i) begin
-        if (advance) begin
-            n_q        <= none ? 10'd1 : n_i;
-            cosine_q   <= corrected;
-            distance_q <= ONE - corrected;
-        end
-    end
-
-    // ---- divisor: D = n 2^F - (n-1) C = C + n (2^F - C) ----------------------------------------------------------
-    // n (2^F - C) <= 1023 2^F, and D <= n 2^F as well, since D falls when C grows: F + 10 bits for both.
-    localparam D_W = F + 10;
-
-    reg [D_W-1:0] scaled_q;
-    reg     [F:0] cosine_scaled_q;
-    reg [D_W-1:0] divisor_q;
-    reg     [F:0] cosine_divisor_q;
-    always @(posedge clk_i) begin
-        if (advance) begin
-            scaled_q         <= {{(D_W - 10) {1'b0}}, n_q} * {{(D_W - F - 1) {1'b0}}, distance_q};
-            cosine_scaled_q  <= cosine_q;
-            divisor_q        <= scaled_q + {{(D_W - F - 1) {1'b0}}, cosine_scaled_q};
-            cosine_divisor_q <= cosine_scaled_q;
-        end
-    end
-
-    // ---- quotient = floor(C 2^S / D) -----------------------------------------------------------------------------
-    // C <= D, so the quotient is at most 2^S: S + 1 bits, and C 2^S < D 2^(S+1) as the divider asks.
-    wire [S:0] quotient;
-    /* verilator lint_off PINCONNECTEMPTY */
-    glint_divider #(
-        .X_W(F + 1 + S),
-        .Y_W(D_W),
-        .Q_W(S + 1)
-    ) divider (
-        .clk_i      (clk_i),
-        .enable_i   (advance),
-        .dividend_i ({cosine_divisor_q, {S{1'b0}}}),
-        .divisor_i  (divisor_q),
-        .quotient_o (quotient),
-        .remainder_o(),
-        .divisor_o  ()
+    wire       advance, negative;
+    wire [9:0] n;
+    wire [F:0] cosine, distance;
+    glint_ports #(
+        .F      (F),
+        .LATENCY(LATENCY),
+        .TAG_W  (TAG_W)
+    ) ports (
+        .clk_i     (clk_i),
+        .rst_ni    (rst_ni),
+        .valid_i   (valid_i),
+        .ready_o   (ready_o),
+        .n_i       (n_i),
+        .cos_i     (cos_i),
+        .tag_i     (tag_i),
+        .valid_o   (valid_o),
+        .ready_i   (ready_i),
+        .tag_o     (tag_o),
+        .clamped_o (clamped_o),
+        .advance_o (advance),
+        .n_o       (n),
+        .cosine_o  (cosine),
+        .distance_o(distance),
+        .negative_o(negative)
     );
-    /* verilator lint_on PINCONNECTEMPTY */
+
+    wire [S:0] quotient;
+    glint_ratio #(
+        .F(F),
+        .S(S)
+    ) ratio (
+        .clk_i     (clk_i),
+        .enable_i  (advance),
+        .n_i       (n),
+        .cosine_i  (cosine),
+        .distance_i(distance),
+        .quotient_o(quotient)
+    );
 
     // ---- Horner: h1 = b + rnd(a q, S), h2 = c1 + rnd(h1 q, S), y = max(0, rnd(h2 q + d0 2^S, S + K - O)) ----------
     // Each step is a product, a register, and a sum: b + rnd(x, S) = floor((x + b 2^S + 2^(S-1)) / 2^S), where the floor
@@ -150,8 +121,6 @@ module glint_bps #(
     wire signed [SUM_W-1:0] q_2_x = {{(SUM_W - S - 1) {1'b0}}, q_2_q};
     wire signed   [Y_W-1:0] q_4_x = {{(Y_W - S - 1) {1'b0}}, q_4_q};
 
-    wire negative;  // cos < 0, beside sum_3
-
     always @(posedge clk_i) begin
         if (advance) begin
             product_1_q <= a_x * q_0_x;
@@ -174,27 +143,6 @@ module glint_bps #(
     end
 
     assign y_o = y_q;
-
-    // ---- what travels beside the numbers -------------------------------------------------------------------------
-    glint_delay #(
-        .WIDTH (1),
-        .STAGES(LATENCY - 1)
-    ) delay_negative (
-        .clk_i   (clk_i),
-        .enable_i(advance),
-        .data_i  (below),
-        .data_o  (negative)
-    );
-
-    glint_delay #(
-        .WIDTH (TAG_W + 1),
-        .STAGES(LATENCY)
-    ) delay_tag (
-        .clk_i   (clk_i),
-        .enable_i(advance),
-        .data_i  ({above | below | none, tag_i}),
-        .data_o  ({clamped_o, tag_o})
-    );
 
 endmodule
 

@@ -36,7 +36,7 @@ class Task:
     name: str
     shows: str
     top: str                       # the module under proof
-    kind: str                      # its property file: stream, axis, skid, delay or divider
+    kind: str                      # unit, axis (its wrapper), or a shared module: skid, delay, divider
     parameters: dict
     method: str                    # induction, cover or bug
     depth: int                     # induction: the largest k tried; else the clocks looked at
@@ -50,19 +50,20 @@ class Task:
 
 # ---- what is proven -------------------------------------------------------------------------------------------------
 
-# One line a lobe: the parameters of its unit at the shipped profiles, and the smallest legal ones, where latency is
-# short enough for covers, planted bugs and the AXI4-Stream wrapper. The wrapper's name is that of the unit and `_axis`.
+# One line a lobe: the smallest legal word lengths of its unit, where latency is short enough for covers and planted bugs.
+# The word lengths of the profiles are read from the generated wrappers.
 STREAMS = {
-    "bps": ({"p8": {"F": 16, "S": 11, "K": 11, "O": 8}, "p12": {"F": 18, "S": 15, "K": 15, "O": 12},
-             "p16": {"F": 20, "S": 19, "K": 19, "O": 16}}, {"F": 8, "S": 4, "K": 4, "O": 4}),
+    "bps": {"F": 8, "S": 4, "K": 4, "O": 4},
+    "schlick": {"F": 8, "O": 4},
 }
+BUGGED = "bps"  # proven at every shipped profile, the others at p12; bugs of what the lobes share are planted here
 TAG_W = 16
-DIVIDERS = {"p8": (28, 26, 12), "p12": (34, 28, 16), "p16": (40, 30, 20)}  # X_W, Y_W, Q_W in glint_bps
+DIVIDERS = {"p8": (28, 26, 12), "p12": (34, 28, 16), "p16": (40, 30, 20)}  # X_W, Y_W, Q_W in bps
 
 HANDSHAKE = "no item lost, repeated or reordered; stable in a stall; tag kept; reset"
 
-# Planted bugs of any stream unit: what breaks, the property that finds it, module, text, what stands there instead.
-STREAM_BUGS = [
+# Planted bugs: what breaks, the property that finds it, text, what stands there instead.
+PORTS_BUGS = [
     ("stall_ignored", "stable", "wire               advance = ready_i | ~valid_q[LATENCY-1];",
      "wire               advance = 1'b1;"),
     ("valid_waits_for_ready", "valid_does_not_wait", "advance = ready_i | ~valid_q[LATENCY-1];", "advance = ready_i;"),
@@ -70,10 +71,10 @@ STREAM_BUGS = [
     ("bubble_comes_out", "nothing_invented", "valid_q[LATENCY-2:0], valid_i}", "valid_q[LATENCY-2:0], 1'b1}"),
     ("survives_reset", "nothing_invented", "if (!rst_ni) valid_q <= {LATENCY{1'b0}};\n        else if (advance)",
      "if (advance)"),
-    ("ready_in_reset", "silent_in_reset", "assign ready_o = rst_ni & advance;", "assign ready_o = advance;"),
-    ("every_second_clock", "full_rate", "assign ready_o = rst_ni & advance;",
-     "assign ready_o = rst_ni & advance & ~valid_q[0];"),
-    ("accepts_when_full", "capacity", "assign ready_o = rst_ni & advance;", "assign ready_o = rst_ni;"),
+    ("ready_in_reset", "silent_in_reset", "assign ready_o   = rst_ni & advance;", "assign ready_o   = advance;"),
+    ("every_second_clock", "full_rate", "assign ready_o   = rst_ni & advance;",
+     "assign ready_o   = rst_ni & advance & ~valid_q[0];"),
+    ("accepts_when_full", "capacity", "assign ready_o   = rst_ni & advance;", "assign ready_o   = rst_ni;"),
     ("tag_stays_behind", "in_turn", ") delay_tag (\n        .clk_i   (clk_i),\n        .enable_i(advance),",
      ") delay_tag (\n        .clk_i   (clk_i),\n        .enable_i(ready_i),"),
 ]
@@ -81,11 +82,14 @@ AXIS_BUGS = [
     ("sidebands_swapped", "in_turn", "({s_axis_tuser, s_axis_tlast,", "({s_axis_tlast, s_axis_tuser,"),
     ("cos_off_by_a_bit", "operands_kept", "s_axis_tdata[32+F+1:32]", "s_axis_tdata[31+F+1:31]"),
     ("y_shifted", "result_kept", "{(30 - O) {1'b0}}, y}", "{(29 - O) {1'b0}}, y, 1'b0}"),
-    ("core_never_stalls", "in_turn", ".ready_i  (out_ready),", ".ready_i  (1'b1),"),
     ("result_while_ready", "stable", "{clamped, {(30", "{clamped & m_axis_tready, {(30"),
-    ("item_taken_twice", "nothing_invented", ".ready_i(in_ready),", ".ready_i(in_ready & m_axis_tready),"),
+    ("item_taken_twice", "nothing_invented", ".ready_i(ready_i),", ".ready_i(ready_i & m_axis_tready),"),
     ("output_not_reset", "silent_in_reset", ") skid_out (\n        .clk_i  (aclk),\n        .rst_ni (aresetn),",
      ") skid_out (\n        .clk_i  (aclk),\n        .rst_ni (1'b1),"),
+]
+WRAPPER_BUGS = [
+    ("core_never_stalls", "in_turn", ".ready_i  (out_ready),", ".ready_i  (1'b1),"),
+    ("core_not_reset", "nothing_invented", ".rst_ni   (aresetn),", ".rst_ni   (1'b1),"),
 ]
 SKID_BUGS = [
     ("spare_forgotten", "delivered", "valid_q <= spare_full_q | accept;", "valid_q <= accept;"),
@@ -110,9 +114,18 @@ DIVIDER_BUGS = [
 ]
 
 
-def bugs(unit, top, kind, parameters, depth, table, defines=()):
-    return [Task(f"bugs.{unit}.{name}", f"`{prop}` fails", top, kind, parameters, "bug", depth,
-                 rf"(.*\.)?{prop}", defines, (top, text, instead)) for name, prop, text, instead in table]
+def bugs(group, top, kind, parameters, depth, module, table, defines=()):
+    return [Task(f"bugs.{group}.{name}", f"`{prop}` fails", top, kind, parameters, "bug", depth,
+                 rf"(.*\.)?{prop}", defines, (module, text, instead)) for name, prop, text, instead in table]
+
+
+def word_lengths(lobe, profile):
+    """The integer parameters that the generated wrapper of a unit sets."""
+    wrapper = RTL / "generated" / f"glint_{lobe}_{profile}.v"
+    if not wrapper.exists():
+        raise UsageError(f"lobe {lobe} of STREAMS has no {wrapper.name} in {wrapper.parent}")
+    found = re.findall(r"^ +\.([A-Z]\w*) *\((\d+)\),$", wrapper.read_text(), re.M)
+    return {name: int(value) for name, value in found}
 
 
 def divider(x, y, q):
@@ -124,12 +137,12 @@ def tasks():
            Task("skid.cover", "not vacuous", "glint_skid", "skid", {"WIDTH": 8}, "cover", 10),
            Task("skid.cover_full", "the bounds are reached", "glint_skid", "skid", {"WIDTH": 8}, "cover", 14,
                 defines=("DEEP_COVER",)),
-           *bugs("skid", "glint_skid", "skid", {"WIDTH": 8}, 8, SKID_BUGS)]
+           *bugs("skid", "glint_skid", "skid", {"WIDTH": 8}, 8, "glint_skid", SKID_BUGS)]
     for stages in (1, 21, 30):
         out.append(Task(f"delay.{stages}", "comes out STAGES enabled clocks later; holds without enable", "glint_delay",
                         "delay", {"WIDTH": TAG_W + 1, "STAGES": stages}, "induction", 2))
     out += [Task("delay.cover", "not vacuous", "glint_delay", "delay", {"WIDTH": 4, "STAGES": 5}, "cover", 12),
-            *bugs("delay", "glint_delay", "delay", {"WIDTH": 4, "STAGES": 5}, 9, DELAY_BUGS)]
+            *bugs("delay", "glint_delay", "delay", {"WIDTH": 4, "STAGES": 5}, 9, "glint_delay", DELAY_BUGS)]
     small = divider(10, 6, 5)
     for name, widths in DIVIDERS.items():
         out.append(Task(f"divider.stage.{name}", "one stage: 2 remainder + bit = fits divisor + reduced < divisor",
@@ -141,30 +154,32 @@ def tasks():
     out += [Task("divider.multiply", "quotient divisor + remainder = dividend, remainder < divisor, as written",
                  "glint_divider", "divider", small, "induction", 1, defines=("MULTIPLY",)),
             Task("divider.cover", "not vacuous", "glint_divider", "divider", small, "cover", 12),
-            *bugs("divider", "glint_divider", "divider", small, 9, DIVIDER_BUGS, ("MULTIPLY",))]
-    for lobe, (profiles, small) in STREAMS.items():
-        unit = f"glint_{lobe}"
-        for profile, parameters in profiles.items():
-            out.append(Task(f"{lobe}.{profile}", HANDSHAKE, unit, "stream", {**parameters, "TAG_W": TAG_W}, "induction",
-                            2))
+            *bugs("divider", "glint_divider", "divider", small, 9, "glint_divider", DIVIDER_BUGS, ("MULTIPLY",))]
+    for lobe, small in STREAMS.items():
+        unit, wrapper = f"glint_{lobe}", f"glint_{lobe}_axis_p12"
+        for profile in ("p8", "p12", "p16") if lobe == BUGGED else ("p12",):
+            numbers = word_lengths(lobe, profile)
+            out += [Task(f"{lobe}.{profile}", HANDSHAKE, unit, "unit", {**numbers, "TAG_W": TAG_W}, "induction", 2),
+                    Task(f"axis.{lobe}.{profile}", HANDSHAKE + "; operands and result kept",
+                         f"{unit}_axis_{profile}", "axis", {**numbers, "USER_W": TAG_W}, "induction", 3)]
         core = {**small, "TAG_W": 2}
         axis = {**small, "USER_W": 1}
-        out += [Task(f"{lobe}.cover", "not vacuous", unit, "stream", core, "cover", 24),
-                Task(f"{lobe}.cover_full", "the bounds are reached", unit, "stream", core, "cover", 50,
+        out += [Task(f"{lobe}.cover", "not vacuous", unit, "unit", core, "cover", 60),
+                Task(f"{lobe}.cover_full", "the bounds are reached", unit, "unit", core, "cover", 120,
                      defines=("DEEP_COVER",)),
-                *bugs(lobe, unit, "stream", core, 22, STREAM_BUGS),
-                Task(f"axis.{lobe}.handshake", HANDSHAKE + "; operands and result kept", f"{unit}_axis", "axis", axis,
-                     "induction", 3),
-                Task(f"axis.{lobe}.cover", "not vacuous", f"{unit}_axis", "axis", axis, "cover", 28),
-                *bugs(f"axis.{lobe}", f"{unit}_axis", "axis", axis, 24, AXIS_BUGS)]
+                Task(f"axis.{lobe}.cover", "not vacuous", wrapper, "axis", axis, "cover", 60)]
+        if lobe == BUGGED:
+            out += [*bugs(lobe, unit, "unit", core, 22, "glint_ports", PORTS_BUGS),
+                    *bugs(f"axis.{lobe}", wrapper, "axis", axis, 24, "glint_axis", AXIS_BUGS),
+                    *bugs(f"axis.{lobe}", wrapper, "axis", axis, 24, wrapper, WRAPPER_BUGS)]
     return out
 
 
 # ---- how ------------------------------------------------------------------------------------------------------------
 
-def needed(top):
-    """The module and all that it instantiates, directly or not."""
-    found, left = {}, [top]
+def needed(*tops):
+    """The modules and all that they instantiate, directly or not."""
+    found, left = {}, list(tops)
     while left:
         name = left.pop()
         path = RTL / f"{name}.v"
@@ -175,36 +190,65 @@ def needed(top):
     return found
 
 
-def property_file(name, modules):
-    """The text that goes before a module's `endmodule`: its own file, or that of all units of its kind."""
-    own = HERE / f"{name}.vh"
-    if own.exists():
-        return own.read_text()
-    if name.endswith("_axis"):
-        latency = re.search(r"localparam LATENCY = ([^;]+);", modules[name[:-len("_axis")]])
-        return (HERE / "glint_axis.vh").read_text().replace("CORE_LATENCY;", f"{latency.group(1)};")
-    return (HERE / "glint_stream.vh").read_text() if "localparam LATENCY" in modules[name] else ""
+def wrapper_at_any_size(lobe, profile, names):
+    """The generated AXI4-Stream wrapper with parameters for its numbers, around the unit in the place of its wrapper."""
+    module = f"glint_{lobe}_axis_{profile}"
+    text = (RTL / "generated" / f"{module}.v").read_text()
+    F, O = (word_lengths(lobe, profile)[name] for name in "FO")
+    declared = "".join(f", {name} = 0" for name in ["LATENCY", *names])
+    passed = "".join(f".{name}({name}), " for name in names)
+    for old, new in (("parameter USER_W = 16", f"parameter USER_W = 16{declared}"), (f".F     ({F})", ".F     (F)"),
+                     (f".O     ({O})", ".O     (O)"), (f"[{F + 1}:0] cosine;", "[F+1:0] cosine;"),
+                     (f"[{O}:0] y;", "[O:0] y;"), (f"glint_{lobe}_{profile} #(", f"glint_{lobe} #({passed}")):
+        text = edited(module, text, old, new)
+    return text
+
+
+def edited(name, text, old, new):
+    if text.count(old) != 1:
+        raise RuntimeError(f"the edit applies {text.count(old)} times to {name}.v, not once")
+    return text.replace(old, new)
+
+
+def latency(unit, parameters, folder):
+    """The clocks from an input of the unit to its result: as many as glint_ports has valid bits."""
+    chosen = " ".join(f"-chparam {name} {value}" for name, value in parameters.items())
+    (folder / "latency.ys").write_text(
+        f"read_verilog -formal -defer -D SYNTHESIS {' '.join(f'{name}.v' for name in needed(unit))}\n"
+        f"hierarchy -check -top {unit} {chosen}\nproc\nflatten\nwrite_rtlil latency.il\n")
+    run(["yosys", "-q", "-l", "latency.log", "latency.ys"], folder, "Yosys")
+    return int(re.search(r"^  wire width (\d+) \\ports\.valid_q$", (folder / "latency.il").read_text(), re.M).group(1))
 
 
 def prepare(task, folder):
     """Writes the copies of the modules and runs Yosys; the result is model.smt2."""
-    modules = needed(task.top)
+    parameters = dict(task.parameters)
+    if task.kind == "axis":
+        unit, profile = task.top.split("_axis_")
+        numbers = {name: value for name, value in parameters.items() if name != "USER_W"}
+        modules = needed("glint_axis", unit)
+        modules[task.top] = wrapper_at_any_size(unit[len("glint_"):], profile, numbers)
+    else:
+        modules = needed(task.top)
     if task.edit:
         module, text, instead = task.edit
-        if modules[module].count(text) != 1:
-            raise RuntimeError(f"the edit applies {modules[module].count(text)} times to {module}.v, not once")
-        modules[module] = modules[module].replace(text, instead)
+        modules[module] = edited(module, modules[module], text, instead)
     for name, text in modules.items():
+        properties = HERE / f"{task.kind if name == task.top and task.kind in ('unit', 'axis') else name}.vh"
         end = text.rindex("endmodule")
-        (folder / f"{name}.v").write_text(text[:end] + property_file(name, modules) + text[end:])
+        text = text[:end] + (properties.read_text() if properties.exists() else "") + text[end:]
+        (folder / f"{name}.v").write_text(text)
+    if task.kind == "axis":
+        parameters["LATENCY"] = latency(unit, numbers, folder)
     shutil.copy(HERE / "glint_scoreboard.v", folder)
     defines = " ".join(f"-D {name}" for name in ("SYNTHESIS", f"PROVE_{task.kind.upper()}") + task.defines)
-    parameters = " ".join(f"-chparam {name} {value}" for name, value in task.parameters.items())
-    script = f"read_verilog -formal -defer {defines} *.v\nhierarchy -check -top {task.top} {parameters}\n"
-    if task.kind in ("stream", "axis"):
+    chosen = " ".join(f"-chparam {name} {value}" for name, value in parameters.items())
+    script = f"read_verilog -formal -defer {defines} *.v\nhierarchy -check -top {task.top} {chosen}\n"
+    if task.kind in ("unit", "axis"):
         # Any product and any quotient will do: the handshake must not depend on them.
         script += "cutpoint t:$mul t:*glint_divider*\n"
-    script += "proc\nflatten\nopt -full\nsetundef -undriven -anyseq\ndffunmap\nopt_clean\n"
+    # What nothing drives, such as the entries of tables beside a unit, may be anything: before `opt` chooses a value.
+    script += "proc\nflatten\nsetundef -undriven -anyseq\nopt -full\ndffunmap\nopt_clean\n"
     script += "delete t:$assert\n" if task.method == "cover" else "delete t:$cover\n"
     script += "check -assert\nwrite_rtlil model.il\nwrite_smt2 -wires model.smt2\n"
     (folder / "model.ys").write_text(script)
@@ -244,7 +288,8 @@ def stop(number, _):
 def solve(task, folder, *arguments):
     """One run of yosys-smtbmc: whether it ended with PASSED, and what it printed."""
     # Which way of asking z3 answers fast differs by factors of a hundred, either way.
-    ways = [] if task.kind == "stream" and task.method == "induction" else ["--unroll", "--noincr"]
+    induction = {"unit": [], "axis": ["--unroll"]}
+    ways = ["--unroll", "--noincr"] if task.method != "induction" else induction.get(task.kind, ["--unroll", "--noincr"])
     command = ["yosys-smtbmc", "--noprogress", *ways, "-s", "z3", *arguments, "model.smt2"]
     process = subprocess.Popen(command, cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
                                start_new_session=True)

@@ -48,6 +48,15 @@ class Runner(unittest.TestCase):
     def test_no_property(self):
         self.assertIn("no property", failures(self.bug, only="no_such_property")[0])
 
+    def test_wrappers_differ_in_numbers_only(self):
+        """Proven is that of p12."""
+        for lobe, numbers in run.STREAMS.items():
+            texts = set()
+            for profile in ("p8", "p12", "p16"):
+                text = run.wrapper_at_any_size(lobe, profile, numbers)
+                texts.add(text[text.index("#("):])
+            self.assertEqual(len(texts), 1, lobe)
+
     def test_arguments(self):
         for arguments, text in ((["--only", "nonsense"], "--only nonsense is no task"), (["--jobs", "0"], "--jobs 0")):
             done = subprocess.run([sys.executable, SCRIPT, *arguments], capture_output=True, text=True, check=False)

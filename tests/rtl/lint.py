@@ -3,7 +3,7 @@
 
     lint.py verilator|iverilog|yosys FOLDER...     the folders of the wrappers
 
-The files of a unit are those that the table "Files" of docs/rtl.md lists. Also linted: the modules below a unit by
+The files of a unit are those that the table "Files" of docs/rtl.md lists. Also linted: the shared modules by
 themselves, with parameters at the ends of what is legal, and what rtl/*.f lists. At last, damaged copies of every unit,
 about which the tool must print something: a lint that finds nothing there finds nothing.
 """
@@ -25,6 +25,10 @@ MODULES = {
     ),
     "glint_delay": ("WIDTH STAGES", ((1, 1), (1, 2), (17, 1), (64, 40))),
     "glint_skid": ("WIDTH", ((1,), (47,))),
+    "glint_ports": ("F LATENCY TAG_W", ((8, 2, 1), (18, 25, 17), (30, 50, 64))),
+    "glint_ratio": ("F S", ((8, 1), (8, 30), (18, 15), (30, 1), (30, 30))),
+    "glint_square": ("S R", ((1, 1), (4, 1), (4, 7), (17, 17), (30, 4), (30, 30))),
+    "glint_axis": ("F O USER_W", ((8, 4, 1), (8, 28, 16), (30, 4, 1), (30, 28, 64))),
 }
 
 
@@ -86,6 +90,17 @@ def units(folder, table):
     return found
 
 
+def with_parts(module):
+    """The files of a module in rtl/ and of all that it contains."""
+    files, left = [], [module]
+    while left:
+        file = RTL / f"{left.pop()}.v"
+        if file not in files:
+            files.append(file)
+            left += re.findall(r"^ +(glint_\w+) #\($", file.read_text(), re.MULTILINE)
+    return files
+
+
 def lint_file_lists(tool, table):
     """rtl/glint_bps.f and its like: the files of both units, one a line, relative to its folder."""
     done = 0
@@ -94,15 +109,17 @@ def lint_file_lists(tool, table):
         needed = {file for unit in table for file in table[unit] if unit.startswith(f"{listing.stem}_")}
         if {f"rtl/{line}" for line in lines} != {file for file in needed if "/generated/" not in file}:
             raise Failed(f"{listing} lists {lines}, docs/rtl.md other files")
-        for top in (f"{listing.stem}_p12", f"{listing.stem}_axis_p12"):
-            wrapper = f"generated/{top}.v"
+        core, axis = (f"{listing.stem}_p12", f"{listing.stem}_axis_p12")
+        for top, names in ((core, [core]), (axis, [core, axis])):
+            wrappers = [f"generated/{name}.v" for name in names]
             if tool == "verilator":
-                silent(["verilator", "--lint-only", "-Wall", "--top-module", top, f"rtl/{wrapper}", "-F", str(listing)])
-                silent(["verilator", "--lint-only", "-Wall", "--top-module", top, wrapper, "-f", listing.name], RTL)
+                from_root = [f"rtl/{wrapper}" for wrapper in wrappers]
+                silent(["verilator", "--lint-only", "-Wall", "--top-module", top, *from_root, "-F", str(listing)])
+                silent(["verilator", "--lint-only", "-Wall", "--top-module", top, *wrappers, "-f", listing.name], RTL)
             elif tool == "iverilog":
-                silent(["iverilog", "-g2005", "-Wall", "-t", "null", "-s", top, wrapper, "-f", listing.name], RTL)
+                silent(["iverilog", "-g2005", "-Wall", "-t", "null", "-s", top, *wrappers, "-f", listing.name], RTL)
             else:
-                silent(command(tool, top, [wrapper, *lines], {}), RTL)
+                silent(command(tool, top, [*wrappers, *lines], {}), RTL)
             done += 1
     if done == 0:
         raise Failed("there is no rtl/*.f")
@@ -132,11 +149,11 @@ def lint(tool, folders):
     modules = 0
     for top, (names, sets) in MODULES.items():
         for values in sets:
-            silent(command(tool, top, [RTL / f"{top}.v"], dict(zip(names.split(), values))))
+            silent(command(tool, top, with_parts(top), dict(zip(names.split(), values))))
             modules += 1
-    linted = {Path(file).name for files in table.values() for file in files}
+    linted = {Path(file).stem for files in table.values() for file in files} | set(MODULES)
     for file in RTL.glob("*.v"):
-        if file.name not in linted:
+        if file.stem not in linted:
             raise Failed(f"{file} is in no unit that docs/rtl.md lists")
     lists = lint_file_lists(tool, table)
     print(f"{tool}: {done} units, {modules} modules with parameters, {lists} lists of files: silent")

@@ -19,15 +19,18 @@ import icarus
 
 def replay(vectors, unit, rtl, wrappers, expect):
     manifest = json.loads(vectors.with_suffix(".json").read_text())
-    infix = "_axis" if unit == "axis" else ""
-    module = f"glint_{manifest['lobe']}{infix}_{manifest['profile']}"
+    module = f"glint_{manifest['lobe']}_{manifest['profile']}"
+    modules = [module]
+    if unit == "axis":  # its wrapper contains that of the core
+        module = f"glint_{manifest['lobe']}_axis_{manifest['profile']}"
+        modules.append(module)
     bench = Path(__file__).with_name("replay_tb.v")
     with tempfile.TemporaryDirectory() as folder:
         executable = Path(folder) / "replay"
         icarus.build(
             executable,
             "replay_tb",
-            [bench, wrappers / f"{module}.v", *icarus.sources(rtl)],
+            [bench, *(wrappers / f"{name}.v" for name in modules), *icarus.sources(rtl)],
             {name: manifest[key] for name, key in (("F", "F"), ("O", "O"), ("COUNT", "count"))},
             {"UNIT": module, **({"AXIS": 1} if unit == "axis" else {})},
         )

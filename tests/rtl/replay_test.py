@@ -92,24 +92,26 @@ class Checks:
 
     def bugs(self):
         good_at_full_speed = r"full speed:.*1000 vectors, 0 mismatches.*stalls:\nFAILED: vector .* mismatches"
-        bps = "glint_bps.v"
+        ports = "glint_ports.v"
         advance = r"advance = ready_i \| ~valid_q\[LATENCY-1\]"
-        self.planted("core", bps, advance, "advance = 1'b1", "FAILED: after 64 inputs")
-        self.planted("core", bps, r"n_q        <= none \? 10'd1 : n_i", "n_q <= n_i", r"FAILED: vector \d+, n = 0,")
-        self.planted("core", bps, r"OFFSET_2 = \{C1, 1'b1", "OFFSET_2 = {C1, 1'b0", r"FAILED: vector \d+, n = ")
-        self.planted("core", bps, r"STAGES\(LATENCY\)", "STAGES(LATENCY - 1)", r"FAILED: vector \d+, n = ")
-        self.planted("core", bps, "assign valid_o = rst_ni & ", "assign valid_o = ", "FAILED: in reset: valid is x")
-        self.planted("core", bps, "assign ready_o = rst_ni & ", "assign ready_o = ",
+        self.planted("core", ports, advance, "advance = 1'b1", "FAILED: after 64 inputs")
+        self.planted("core", ports, r"n_q        <= none \? 10'd1 : n_i", "n_q <= n_i", r"FAILED: vector \d+, n = 0,")
+        self.planted("core", "glint_bps.v", r"OFFSET_2 = \{C1, 1'b1", "OFFSET_2 = {C1, 1'b0",
+                     r"FAILED: vector \d+, n = ")
+        self.planted("core", ports, r"STAGES\(LATENCY\)", "STAGES(LATENCY - 1)", r"FAILED: vector \d+, n = ")
+        self.planted("core", ports, "assign valid_o   = rst_ni & ", "assign valid_o   = ",
+                     "FAILED: in reset: valid is x")
+        self.planted("core", ports, "assign ready_o   = rst_ni & ", "assign ready_o   = ",
                      "FAILED: in reset: valid is 0, ready is x")
         # A reset that leaves the results in flight: the first has the tag of the filling.
-        self.planted("core", bps, r"if \(!rst_ni\) valid_q <= \{LATENCY\{1'b0\}\};",
+        self.planted("core", ports, r"if \(!rst_ni\) valid_q <= \{LATENCY\{1'b0\}\};",
                      "if (!rst_ni) valid_q <= (valid_q[0] === 1'b1) ? {LATENCY{1'b1}} : {LATENCY{1'b0}};",
                      "FAILED: vector 1, n = 0, .*tag 000000 1; expected .* ffffff 0")
-        self.planted("core", bps, r"\{valid_q\[LATENCY-2:0\], valid_i\}", "{valid_q[LATENCY-2:0], 1'b1}",
+        self.planted("core", ports, r"\{valid_q\[LATENCY-2:0\], valid_i\}", "{valid_q[LATENCY-2:0], 1'b1}",
                      "FAILED: clock .*: a result that no input had asked for")
         # The tag does not stop with the rest of the pipeline.
         self.planted("core", "glint_delay.v", r"if \(enable_i\) data_q <= stage", "data_q <= stage", good_at_full_speed)
-        axis = "glint_bps_axis.v"
+        axis = "glint_axis.v"
         self.planted("axis", axis, r"\{\(30 - O\) \{1'b0\}\}", "{(30 - O) {clamped}}", r"FAILED: vector \d+, n = ")
         self.planted("axis", axis, r"s_axis_tdata\[9:0\]\}", "s_axis_tdata[10:1]}",
                      r"FAILED: vector \d+, .*: y X, clamped x")
