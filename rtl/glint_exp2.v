@@ -28,7 +28,8 @@ module glint_exp2 #(
     assign address_o = t_i[S-1:R];
 
     // From an integer part of O + 2 on nothing is left, however p rounds.
-    localparam [I_W-1:0] LAST = O + 1;
+    localparam    [31:0] LAST_CODE = O + 1;
+    localparam [I_W-1:0] LAST = LAST_CODE[I_W-1:0];
     wire [I_W-1:0] integer_part = t_i[I_W+S-1:S];
     wire           beyond       = integer_part > LAST;
 

@@ -55,6 +55,15 @@ class Task:
 STREAMS = {
     "bps": {"F": 8, "S": 4, "K": 4, "O": 4},
     "schlick": {"F": 8, "O": 4},
+    "cubic": {"F": 8, "S": 4, "K": 6, "O": 4},
+    "cayley": {"F": 8, "A": 0, "S": 4, "O": 4},
+    "taylor": {"F": 8, "A": 16, "E": 8, "S": 4, "O": 4},
+    "cosine_power": {"F": 8, "LOG2_A": 3, "S": 4, "O": 4},
+    "quadratic": {"F": 8, "S": 4, "K": 4, "O": 4},
+    "polynomial": {"F": 8, "S": 4, "K": 4, "O": 4, "I": 2, "VARIABLE": 1, "DEGREE": 3},
+    "blinn_phong": {"F": 8, "T": 4, "L": 9, "E": 2, "S": 6, "O": 4},
+    "spherical_gaussian": {"F": 8, "K": 4, "E": 2, "S": 6, "O": 4},
+    "gauss": {"F": 8, "T": 4, "L": 9, "E": 2, "S": 6, "O": 4},
 }
 BUGGED = "bps"  # proven at every shipped profile, the others at p12; bugs of what the lobes share are planted here
 TAG_W = 16

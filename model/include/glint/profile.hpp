@@ -18,7 +18,7 @@ struct Profile {
     int F = 0;         ///< fraction bits of the cosine
     int O = 0;         ///< fraction bits of the output
     std::vector<int> custom;  ///< empty for a shipped profile; else all numbers as given, e.g. F,S,K,O for `bps`
-    std::string options;      ///< of the lobe, as given after its name; `name` then ends with a mark made of them
+    std::string options{};    ///< of the lobe, as given after its name; `name` then ends with a mark made of them
 
     bool shipped() const { return custom.empty(); }
     /// As on the command line: "p12", or the numbers joined by ','.
