@@ -28,7 +28,7 @@ int report(const ReportOptions& options) {
     command += " -o " + options.output;
 
     const std::vector<MeasuredRun> measured = measured_runs(files);
-    PlotData plots{curves(50), error_map("p12"), schlick_errors(), {}};
+    PlotData plots{curves(50), error_map("p12"), schlick_errors(), {}, paper_data()};
     std::copy_if(measured.begin(), measured.end(), std::back_inserter(plots.measured),
                  [](const MeasuredRun& run) { return !run.accuracy().rows.empty(); });
     const Pictures pictures = draw(plots);
@@ -39,6 +39,10 @@ int report(const ReportOptions& options) {
         write_file(folder / name, text);
         fmt::print("{}\n", (folder / name).string());
     };
+    make_folder(folder / "figures");
+    for (const FigureCsv& figure : figure_csvs(plots.curves, plots.paper)) {
+        write("figures/" + figure.name, figure.text);
+    }
     for (const std::string_view theme : themes) {
         if (!plots.measured.empty()) write(overview_file(theme), pictures.at(overview_file(theme)));
     }

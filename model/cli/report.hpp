@@ -1,4 +1,5 @@
-// `glint report`: measured results as one page that needs nothing else, and as pictures for the README.
+// `glint report`: measured results, and what paper 1 claims, as one page that needs nothing else; pictures for the
+// README.
 #pragma once
 
 #include <string>
@@ -9,10 +10,11 @@ namespace glint::cli {
 struct ReportOptions {
     std::vector<std::string> results;  ///< JSON files of `glint-cosim --json` and `glint sweep --json`
     std::string proofs;                ///< JSON file of proofs/gappa/run.py --json; may be empty
-    std::string output;                ///< folder for index.html and the pictures
+    std::string output;                ///< folder for index.html, the figures and the pictures
 };
 
-/// Writes output/index.html, and output/overview-light.svg and -dark.svg when the results hold errors per n.
+/// Writes output/index.html, output/figures/figure-3.csv to figure-8.csv (the figures of paper 1), and
+/// output/overview-light.svg and -dark.svg when the results hold errors per n.
 /// Returns the exit status. Throws Error: results that cannot be used, gnuplot missing or failing, files not writable.
 int report(const ReportOptions& options);
 

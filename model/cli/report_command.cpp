@@ -6,11 +6,12 @@ namespace glint::cli {
 void add_report(CLI::App& app, Chosen& chosen) {
     auto options = std::make_shared<ReportOptions>();
     options->output = "report";
-    CLI::App* command = app.add_subcommand("report", "A page with measured results, proven bounds and hard cases");
+    CLI::App* command = app.add_subcommand(
+        "report", "A page with measured results, the papers' claims checked, and how to choose a lobe");
     command->add_option("--results", options->results, "JSON files of glint-cosim or glint sweep")->required();
     command->add_option("--proofs", options->proofs,
                         "JSON file of proofs/gappa/run.py, for the table of proven bounds");
-    command->add_option("-o,--output", options->output, "Folder for index.html and the pictures")
+    command->add_option("-o,--output", options->output, "Folder for index.html, figures/*.csv and the pictures")
         ->capture_default_str();
     command->footer("Example: glint report --results build/cosim.json --proofs build/proofs.json -o report");
     command->callback([=, &chosen] { chosen.run = [=] { return report(*options); }; });

@@ -34,13 +34,16 @@ Curves curves(int n);
 /// The largest absolute error of the real function f_s against c^n over all `angles`, for n = 1 .. max_n.
 std::vector<AngleError> schlick_errors();
 
+/// The least angle of maps whose angles are even in their logarithm.
+inline constexpr double map_least_degrees = 0.25;
+
 /// The errors at which the colours of the map end.
 inline constexpr double map_scale = 0.03;
 
 /// The signed error of golden `bps` against c^n at the rounded cosine, on a grid even in log n and in log angle.
 struct ErrorMap {
     Profile profile;
-    double least_degrees = 0.25;
+    double least_degrees = map_least_degrees;
     std::size_t columns = 360;  ///< n from 1 to max_n, each rounded to an integer
     std::size_t rows = 240;     ///< angles from least_degrees to 90
     std::vector<double> error;  ///< row after row

@@ -7,6 +7,8 @@
 
 #include "glint/hard_cases.hpp"
 #include "glint/lobes.hpp"
+#include "report_html.hpp"
+#include "report_paper_page.hpp"
 
 namespace glint::cli {
 namespace {
@@ -41,7 +43,7 @@ tbody th { white-space: nowrap; }
 td span, td small { white-space: nowrap; }
 td.words, tbody th.words { min-width: 8.5rem; }
 td.words span, tbody th.words { white-space: normal; }
-td small { display: block; color: var(--muted); font-size: .78rem; }
+td small, tbody th small { display: block; color: var(--muted); font-size: .78rem; font-weight: 400; }
 .bad { color: var(--bad); font-weight: 700; }
 p.bad { padding: .6rem .8rem; border: 2px solid; border-radius: .4rem; }
 figure { margin: 1.5rem 0 0; }
@@ -64,62 +66,6 @@ footer { margin-top: 3rem; color: var(--muted); font-size: .9rem; }
   td.words::before { display: block; max-width: none; font-size: .78rem; }
 }
 )";
-
-std::string escaped(std::string_view text) {
-    std::string out;
-    for (const char c : text) {
-        switch (c) {
-            case '&':
-                out += "&amp;";
-                break;
-            case '<':
-                out += "&lt;";
-                break;
-            case '>':
-                out += "&gt;";
-                break;
-            case '"':
-                out += "&quot;";
-                break;
-            default:
-                out += c;
-        }
-    }
-    return out;
-}
-
-/// A command line, which breaks between its words only.
-std::string command_html(std::string_view command) {
-    std::string out = "<code>";
-    for (std::size_t begin = 0; begin <= command.size();) {
-        const std::size_t end = std::min(command.find(' ', begin), command.size());
-        out += fmt::format("{}<span>{}</span>", begin > 0 ? " " : "", escaped(command.substr(begin, end - begin)));
-        begin = end + 1;
-    }
-    return out + "</code>";
-}
-
-std::string base64(std::string_view bytes) {
-    constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    std::string out;
-    out.reserve((bytes.size() + 2) / 3 * 4);
-    for (std::size_t i = 0; i < bytes.size(); i += 3) {
-        const std::size_t count = std::min<std::size_t>(3, bytes.size() - i);
-        unsigned group = 0;
-        for (std::size_t k = 0; k < 3; ++k) {
-            group = group << 8 | (k < count ? static_cast<unsigned char>(bytes[i + k]) : 0U);
-        }
-        for (std::size_t k = 0; k < 4; ++k) out += k <= count ? digits[group >> (18 - 6 * k) & 63U] : '=';
-    }
-    return out;
-}
-
-/// 268174335 as 268,174,335.
-std::string grouped(std::uint64_t number) {
-    std::string out = fmt::format("{}", number);
-    for (std::size_t i = out.size(); i > 3; i -= 3) out.insert(i - 3, 1, ',');
-    return out;
-}
 
 std::string place(const Worst& worst, int F) {
     return fmt::format("n&nbsp;=&nbsp;{}, cos&nbsp;{:.6f} (code&nbsp;{})", worst.n, std::ldexp(worst.cos_code, -F),
@@ -146,39 +92,6 @@ std::string markdown_html(std::string_view text) {
     return out;
 }
 
-/// What a table's row is made of. The label stands in the heading, and before the value on narrow screens.
-struct Cell {
-    std::string_view label;
-    std::string html;
-    enum Kind { name, number, words } kind = number;
-};
-
-std::string_view css_class(Cell::Kind kind) {
-    if (kind == Cell::number) return " class=\"number\"";
-    return kind == Cell::words ? " class=\"words\"" : "";
-}
-
-std::string table_html(const std::vector<std::vector<Cell>>& rows) {
-    std::string out = "<div class=\"scroll\">\n<table>\n<thead><tr>";
-    for (const Cell& cell : rows.front()) {
-        out += fmt::format("<th scope=\"col\"{}>{}</th>", css_class(cell.kind), escaped(cell.label));
-    }
-    out += "</tr></thead>\n<tbody>\n";
-    for (const std::vector<Cell>& row : rows) {
-        out += "<tr>";
-        for (const Cell& cell : row) {
-            if (&cell == &row.front()) {
-                out += fmt::format("<th scope=\"row\"{}>{}</th>", css_class(cell.kind), cell.html);
-            } else {
-                out += fmt::format("<td data-label=\"{}\"{}><span>{}</span></td>", escaped(cell.label),
-                                   css_class(cell.kind), cell.html);
-            }
-        }
-        out += "</tr>\n";
-    }
-    return out + "</tbody>\n</table>\n</div>\n";
-}
-
 class Page {
 public:
     explicit Page(const PageData& data) : data_(data) {}
@@ -192,7 +105,9 @@ public:
             "<title>Glint: measured results</title>\n<style>";
         out += style;
         out += "</style>\n</head>\n<body>\n";
-        out += introduction() + accuracy_section() + proofs_section() + runs_section() + plots_section();
+        out += introduction() + choosing_section(data_.plots.paper);
+        out += accuracy_section() + proofs_section() + runs_section() + plots_section();
+        out += paper_sections(data_.plots.paper, data_.pictures, data_.command);
         out += hard_cases_section() + commands_section();
         return out + "</body>\n</html>\n";
     }
@@ -429,48 +344,26 @@ private:
         return out;
     }
 
-    std::string image_source(const std::string& file) const {
-        const std::string_view type = file.ends_with(".png") ? "image/png" : "image/svg+xml";
-        return fmt::format("data:{};base64,{}", type, base64(data_.pictures.at(file)));
-    }
-
-    /// The browser shows one of the four versions: dark or light, narrow or wide.
-    std::string figure(const Plot& plot, const std::string& alternative, const std::string& caption) const {
-        std::string out = "<figure>\n<picture>\n";
-        for (const std::string_view theme : {"dark", "light"}) {
-            for (const std::string_view layout : {"narrow", "wide"}) {
-                if (theme == "light" && layout == "wide") continue;
-                std::string media = theme == "dark" ? "(prefers-color-scheme: dark)" : "";
-                if (layout == "narrow") media += media.empty() ? "(max-width: 40rem)" : " and (max-width: 40rem)";
-                out +=
-                    fmt::format("<source media=\"{}\" srcset=\"{}\">\n", media, image_source(plot.file(theme, layout)));
-            }
-        }
-        out += fmt::format("<img alt=\"{}\" src=\"{}\">\n</picture>\n<figcaption>{}</figcaption>\n</figure>\n",
-                           escaped(alternative), image_source(plot.file("light", "wide")), caption);
-        return out;
-    }
-
     std::string own_command() const { return fmt::format("<p>Computed by {}</p>", command_html(data_.command)); }
 
     std::string plots_section() const {
         const Curves& curves = data_.plots.curves;
         const ErrorMap& map = data_.plots.map;
         std::string out = fmt::format("<h2 id=\"shape\">The highlight at n = {}</h2>\n", curves.n);
-        out +=
-            figure(curves_plot,
-                   fmt::format("The highlight over the angle at n = {}: the curve of bps lies close to Blinn-Phong's "
-                               "c^n, Schlick's falls off too slowly.",
-                               curves.n),
-                   fmt::format("<p>The real functions, in double: Blinn-Phong's c<sup>n</sup>, Schlick's "
-                               "f<sub>s</sub>, and f<sub>bps</sub>, a cubic polynomial in f<sub>s</sub>. Largest "
-                               "absolute error against c<sup>n</sup> at this n, over {} angles from 0° to 90°: "
-                               "f<sub>s</sub> {:.4f} at {:.2f}°, f<sub>bps</sub> {:.4f} at {:.2f}°.</p>{}",
-                               grouped(angles), curves.schlick.value, curves.schlick.degrees, curves.bps.value,
-                               curves.bps.degrees, own_command()));
+        out += figure_html(
+            data_.pictures, curves_plot,
+            fmt::format("The highlight over the angle at n = {}: the curve of bps lies close to Blinn-Phong's "
+                        "c^n, Schlick's falls off too slowly.",
+                        curves.n),
+            fmt::format("<p>The real functions, in double: Blinn-Phong's c<sup>n</sup>, Schlick's "
+                        "f<sub>s</sub>, and f<sub>bps</sub>, a cubic polynomial in f<sub>s</sub>. Largest "
+                        "absolute error against c<sup>n</sup> at this n, over {} angles from 0° to 90°: "
+                        "f<sub>s</sub> {:.4f} at {:.2f}°, f<sub>bps</sub> {:.4f} at {:.2f}°.</p>{}",
+                        grouped(angles), curves.schlick.value, curves.schlick.degrees, curves.bps.value,
+                        curves.bps.degrees, own_command()));
         out += fmt::format("<h2 id=\"map\">Where {} errs</h2>\n", map.profile.name);
-        out += figure(
-            map_plot,
+        out += figure_html(
+            data_.pictures, map_plot,
             "Map of the signed error over the exponent and the angle. Above n = 10 it forms bands along the "
             "highlight's "
             "width, within 0.03; below n = 8 the bands are deeper.",
@@ -486,14 +379,15 @@ private:
                    "<code>glint sweep --json</code> and <code>glint-cosim --json</code> measure them.</p>\n";
         }
         out += "<h2 id=\"approximation\">Approximation error over n</h2>\n";
-        out += figure(approximation_plot,
-                      "Largest absolute error against c^n over the exponent, at the rounded and at the exact cosine, "
-                      "for Schlick's function and for every profile.",
-                      approximation_caption());
+        out +=
+            figure_html(data_.pictures, approximation_plot,
+                        "Largest absolute error against c^n over the exponent, at the rounded and at the exact cosine, "
+                        "for Schlick's function and for every profile.",
+                        approximation_caption());
         out += "<h2 id=\"rounding\">Rounding error over n</h2>\n";
-        out += figure(rounding_plot,
-                      "Largest rounding error in ulp over the exponent for every profile, with a line at 1 ulp.",
-                      rounding_caption());
+        out += figure_html(data_.pictures, rounding_plot,
+                           "Largest rounding error in ulp over the exponent for every profile, with a line at 1 ulp.",
+                           rounding_caption());
         return out;
     }
 

@@ -6,31 +6,10 @@
 
 #include <fmt/format.h>
 
+#include "report_paper_plots.hpp"
+
 namespace glint::cli {
 namespace {
-
-/// Colours that stay apart for colour-blind readers and have a contrast of at least 3 : 1 to the page.
-struct Theme {
-    std::string_view name;
-    std::string_view text, axis, grid;
-    std::string_view target, schlick, bps;  // f_b, f_s, f_bps
-    std::string_view runs[4];
-    std::string_view negative, zero, positive, outside;  // of the map
-};
-constexpr Theme light{"light",   "#1f2328", "#6e7781", "#dde2e8",
-                      "#8a939d", "#a8328a", "#0067b1", {"#b06f00", "#0067b1", "#1f2328", "#00835f"},
-                      "#1b5faa", "#f6f6f4", "#b34700", "#1f2328"};
-constexpr Theme dark{"dark",    "#e6edf3", "#8b949e", "#2b323b",
-                     "#8b949e", "#f08fd0", "#58b0f0", {"#f0b23c", "#58b0f0", "#ffffff", "#3fcf9f"},
-                     "#5aa9f5", "#12161c", "#ff9a4d", "#e6edf3"};
-
-struct Layout {
-    std::string_view name;
-    int width;
-    bool wide() const { return name == "wide"; }
-};
-constexpr Layout wide{"wide", 800};
-constexpr Layout narrow{"narrow", 400};
 
 /// The data, once, as blocks that every plot refers to.
 std::string data_blocks(const PlotData& data) {
@@ -59,71 +38,6 @@ std::string data_blocks(const PlotData& data) {
         }
         out += "EOD\n";
     }
-    return out;
-}
-
-/// 1, 2 or 5 times a power of ten: the nearest one at most (or at least) `value`.
-double round_down(double value) {
-    const double decade = std::pow(10.0, std::floor(std::log10(value)));
-    for (const double step : {5.0, 2.0}) {
-        if (value >= step * decade) return step * decade;
-    }
-    return decade;
-}
-double round_up(double value) {
-    const double decade = std::pow(10.0, std::floor(std::log10(value)));
-    for (const double step : {1.0, 2.0, 5.0}) {
-        if (value <= step * decade) return step * decade;
-    }
-    return 10.0 * decade;
-}
-
-/// Tics at 1, 2, 5, 10, ... within a range of a logarithmic axis that begins at one of them; at powers of ten alone
-/// when it is long.
-std::string log_tics(double low, double high) {
-    const bool is_long = high / low > 150.0;
-    std::string out = "(";
-    for (double tic = low; tic <= high * 1.0001; tic = round_up(tic * 1.5)) {
-        const double decades = std::log10(tic);
-        if (is_long && std::abs(decades - std::round(decades)) > 1e-6) continue;
-        out += fmt::format("{}'{:g}' {:g}", out.size() > 1 ? ", " : "", tic, tic);
-    }
-    return out + ")";
-}
-
-/// The terminal, and what all plots have in common.
-std::string begin(const std::string& file, const Theme& theme, int width, int height) {
-    std::string out = "reset\nset encoding utf8\n";
-    if (file.ends_with(".png")) {
-        out += fmt::format(
-            "set terminal pngcairo enhanced transparent font 'sans,11' fontscale 2 linewidth 2 size {},{}\n", 2 * width,
-            2 * height);
-    } else {
-        out += fmt::format("set terminal svg enhanced rounded font 'sans-serif,14' size {},{}\n", width, height);
-    }
-    out += fmt::format("set output '{}'\n", file);
-    out += fmt::format("set border 3 linecolor rgb '{}'\n", theme.axis);
-    out += fmt::format("set tics nomirror out scale 0.6 textcolor rgb '{}'\n", theme.text);
-    out += fmt::format("set grid linecolor rgb '{}' linewidth 1 linetype 1\n", theme.grid);
-    out += fmt::format("set key tmargin horizontal left Left reverse samplen 2 textcolor rgb '{}'\n", theme.text);
-    out += fmt::format("set title textcolor rgb '{}'\nset xlabel textcolor rgb '{}'\nset ylabel textcolor rgb '{}'\n",
-                       theme.text, theme.text, theme.text);
-    return out;
-}
-
-std::string end() { return "unset output\n"; }
-
-/// n on a logarithmic axis.
-std::string n_axis(bool wide) {
-    return fmt::format(
-        "set logscale x 10\nset xrange [1:{}]\nset xtics {}\nset mxtics 1\nset xlabel 'specular exponent n'\n", max_n,
-        wide ? "(1, 2, 5, 10, 20, 50, 100, 200, 500, 1000)" : "(1, 3, 10, 30, 100, 300, 1000)");
-}
-
-/// A name in the key: '_' would start a subscript.
-std::string key_name(const std::string& name) {
-    std::string out;
-    for (const char c : name) out += c == '_' ? std::string("\\_") : std::string(1, c);
     return out;
 }
 
@@ -204,23 +118,13 @@ std::string map_panel(const ErrorMap& map, const Theme& theme, bool wide) {
     const double y_step = map.log_degrees(1) - y_low;
     const double x_high = map.log_n(map.columns - 1);
     const double y_high = map.log_degrees(map.rows - 1);
-    std::string out = "unset grid\nunset key\nset tics front\n";
-    out += fmt::format("set xrange [0:{:g}]\nset yrange [{:g}:{:g}]\n", x_high, y_low, y_high);
-    out += "set xtics (";
-    for (const int n : {1, 3, 10, 30, 100, 300, 1000})
-        out += fmt::format("{}'{}' {:g}", n == 1 ? "" : ", ", n, std::log10(n));
-    out += ")\nset ytics (";
-    for (const double degrees : {0.3, 1.0, 3.0, 10.0, 30.0, 90.0}) {
-        out += fmt::format("{}'{:g}°' {:g}", degrees == 0.3 ? "" : ", ", degrees, std::log10(degrees));
-    }
-    out += ")\nset xlabel 'specular exponent n'\nset ylabel 'angle of normal and half vector' offset 1\n";
+    std::string out = map_frame({{0.0, x_high}, {y_low, y_high}});
     out += fmt::format("set palette defined (-1 '{}', 0 '{}', 1 '{}')\n", theme.negative, theme.zero, theme.positive);
     out += fmt::format("set cbrange [-{0:g}:{0:g}]\n", map_scale);
     // Narrow screens have room for three labels.
     out += fmt::format("set cbtics ('≤ −{0:g}' -{0:g}, '0' 0, '≥ +{0:g}' {0:g}) offset 0,2.6 scale 0\n", map_scale);
     if (wide) out += fmt::format("set cbtics add ('−{0:g}' -{0:g}, '+{0:g}' {0:g})\n", map_scale / 2);
-    out += "set tmargin 4\nset rmargin 5\n";
-    out += "set colorbox horizontal user origin graph 0, graph 1.03 size graph 1, graph 0.03\n";
+    out += colour_box();
     out += fmt::format(
         "plot $map matrix using ({:g}*$1):({:g}+{:g}*$2):3 with image, "
         "log10(atan(1 / sqrt(10**x - 1)) * 180 / pi) with lines linewidth 1.5 dashtype (12,5) linecolor rgb '{}'\n",
@@ -228,40 +132,34 @@ std::string map_panel(const ErrorMap& map, const Theme& theme, bool wide) {
     return out;
 }
 
-std::string multiplot(int rows, int columns) { return fmt::format("set multiplot layout {},{}\n", rows, columns); }
-
 std::string page_plots(const PlotData& data, const Theme& theme, const Layout& layout,
                        std::vector<std::string>& pictures) {
     const auto start = [&](const Plot& plot, int height) {
         pictures.push_back(plot.file(theme.name, layout.name));
-        return begin(pictures.back(), theme, layout.width, height);
+        return begin_plot(pictures.back(), theme, layout.width, height);
     };
-    const bool wide = layout.wide();
-    std::string out = start(curves_plot, wide ? 400 : 340) + curves_panel(theme, wide) + end();
-    out += start(map_plot, wide ? 480 : 380) + map_panel(data.map, theme, wide) + end();
+    const bool is_wide = layout.is_wide();
+    std::string out = start(curves_plot, is_wide ? 400 : 340) + curves_panel(theme, is_wide) + end_plot();
+    out += start(map_plot, is_wide ? 480 : 380) + map_panel(data.map, theme, is_wide) + end_plot();
     if (data.measured.empty()) return out;
-    out += start(approximation_plot, wide ? 440 : 760) + multiplot(wide ? 1 : 2, wide ? 2 : 1);
+    out += start(approximation_plot, is_wide ? 440 : 760) + multiplot(is_wide ? 1 : 2, is_wide ? 2 : 1);
     out += "set title 'at the rounded cosine'\n" + approximation_panel(data, theme, 2);
     out += "set title 'at the exact cosine'\n" + approximation_panel(data, theme, 3);
-    out += "unset multiplot\n" + end();
-    out += start(rounding_plot, wide ? 400 : 340) + rounding_panel(data, theme, wide) + end();
+    out += "unset multiplot\n" + end_plot();
+    out += start(rounding_plot, is_wide ? 400 : 340) + rounding_panel(data, theme, is_wide) + end_plot();
     return out;
 }
 
 std::string overview(const PlotData& data, const Theme& theme, std::vector<std::string>& pictures) {
     pictures.push_back(overview_file(theme.name));
-    std::string out = begin(pictures.back(), theme, 960, 400) + multiplot(1, 2);
+    std::string out = begin_plot(pictures.back(), theme, 960, 400) + multiplot(1, 2);
     out += fmt::format("set title 'The highlight at n = {}'\n", data.curves.n) + curves_panel(theme, false);
     out += "set format x\nset title 'Approximation error at the rounded cosine'\n";
     out += approximation_panel(data, theme, 2);
-    return out + "unset multiplot\n" + end();
+    return out + "unset multiplot\n" + end_plot();
 }
 
 }  // namespace
-
-std::string Plot::file(std::string_view theme, std::string_view layout) const {
-    return fmt::format("{}-{}-{}.{}", name, theme, layout, extension);
-}
 
 std::string overview_file(std::string_view theme) { return fmt::format("overview-{}.svg", theme); }
 
@@ -272,6 +170,7 @@ Pictures draw(const PlotData& data) {
         for (const Layout& layout : {wide, narrow}) script += page_plots(data, theme, layout, pictures);
         if (!data.measured.empty()) script += overview(data, theme, pictures);
     }
+    script += paper_plots(data.paper, pictures);
     return run_gnuplot(script, pictures);
 }
 

@@ -1,4 +1,4 @@
-// The plots of the report: every one in a light and a dark version, for wide and for narrow screens.
+// The plots of the report.
 #pragma once
 
 #include <string>
@@ -7,20 +7,12 @@
 
 #include "report_data.hpp"
 #include "report_gnuplot.hpp"
+#include "report_paper.hpp"
 #include "report_results.hpp"
+#include "report_theme.hpp"
 
 namespace glint::cli {
 
-inline constexpr std::string_view themes[] = {"light", "dark"};
-inline constexpr std::string_view layouts[] = {"wide", "narrow"};
-
-/// One plot of the page. Its pictures are called "<name>-<theme>-<layout>.<extension>".
-struct Plot {
-    std::string_view name;
-    std::string_view extension;
-
-    std::string file(std::string_view theme, std::string_view layout) const;
-};
 inline constexpr Plot curves_plot{"curves", "svg"};
 inline constexpr Plot map_plot{"map", "png"};
 inline constexpr Plot approximation_plot{"approximation", "svg"};
@@ -34,6 +26,7 @@ struct PlotData {
     ErrorMap map;
     std::vector<AngleError> schlick;    ///< for n = 1 .. max_n
     std::vector<MeasuredRun> measured;  ///< with rows; empty: no plots over n
+    PaperData paper;
 };
 
 /// All pictures by file name. Throws Error as run_gnuplot does.

@@ -11,6 +11,7 @@ import csv
 import html
 import itertools
 import json
+import math
 import os
 import random
 import re
@@ -65,6 +66,10 @@ class Case(unittest.TestCase):
     def true(self, holds, what):
         Case.count += 1
         self.assertTrue(holds, what)
+
+    def near(self, got, want, distance):
+        Case.count += 1
+        self.assertLessEqual(abs(got - want), distance, f"{got} is not near {want}")
 
     def matches(self, text, pattern):
         Case.count += 1
@@ -546,7 +551,9 @@ class Report(Case):
     def test_page(self):
         self.results()
         self.good("report", "--results", "sweep.json", "-o", "page")
-        self.equal(self.files(), ["page/index.html", "page/overview-dark.svg", "page/overview-light.svg", "sweep.json"])
+        figures = [f"page/figures/figure-{number}.csv" for number in range(3, 9)]
+        self.equal(self.files(), [*figures, "page/index.html", "page/overview-dark.svg", "page/overview-light.svg",
+                                  "sweep.json"])
         page = self.read("page/index.html")
         total = json.loads(self.read("sweep.json"))["runs"][0]["accuracy"]["total"]
         self.true(f"{total['inputs']:,}" in page, "the number of inputs is not on the page")
@@ -636,6 +643,106 @@ class Report(Case):
         self.equal(rows, [line[2:-2].split(" | ") for line in lines])
         legend = parts[0][parts[0].index("For each"):].replace("`", "").strip()
         self.true(legend in text, f"{legend} is not in {text[:400]}")
+
+    PAPER = ("schlick", "cosine_power", "quadratic", "cubic", "bps")
+
+    def lobe_names(self):
+        return re.findall(r"^GLINT_LOBE\((\w+)\)$", (ROOT / "model/include/glint/lobes.def").read_text(), re.MULTILINE)
+
+    def figure(self, number):
+        with open(self.folder / f"page/figures/figure-{number}.csv", newline="") as file:
+            heading, *rows = csv.reader(file)
+        return heading, [[float(cell) for cell in row] for row in rows]
+
+    def cells(self, name):
+        """The rows of the tables of a section as dictionaries, with the text of each cell up to its first small print."""
+        section = re.search(rf'<h2 id="{name}">.*?(?=<h2|\Z)', self.read("page/index.html"), re.DOTALL)[0]
+        out = []
+        for table in re.findall(r"<table>.*?</table>", section, re.DOTALL):
+            heading = [html.unescape(cell) for cell in re.findall(r'<th scope="col"[^>]*>(.*?)</th>', table)]
+            for row in re.findall(r'<tr>(<th scope="row".*?)</tr>', table):
+                texts = [re.split("<small>", cell)[0] for cell in re.findall(r"<t[hd].*?</t[hd]>", row)]
+                self.equal(len(texts), len(heading))
+                out.append({label: html.unescape(re.sub("<[^>]*>", "", text)).replace("\xa0", " ")
+                            for label, text in zip(heading, texts)})
+        return out
+
+    def test_paper_figures(self):
+        """The figures of the paper as CSV: whole, and the same numbers as on the page."""
+        self.results()
+        self.good("report", "--results", "sweep.json", "-o", "page")
+        heading, rows = self.figure(3)
+        self.equal((heading, len(rows)), (["theta_rad", "f_bps", "f_s", "f_b"], 9001))
+        self.equal(rows[0], [0, 0.992737, 1, 1])
+        self.near(rows[-1][0], math.pi / 2, 1e-6)
+        for theta, _, schlick, blinn_phong in rows[::500]:
+            self.near(blinn_phong, max(0.0, math.cos(theta)) ** 50, 1e-5)
+            self.near(schlick, math.cos(theta) / (50 - 49 * math.cos(theta)), 1e-5)
+        for number, name, first, (least, most) in ((4, "f_bps", 1, (0, 0.9928)), (6, "delta_bps_percent", 8, (0, 3)),
+                                                   (8, "Delta_bps", 8, (0, 0.03))):
+            heading, rows = self.figure(number)
+            self.equal((heading, len(rows)), (["n", "theta_rad", name], 240 * 160))
+            self.equal((rows[0][0], rows[-1][0]), (first, 1000))
+            self.true(all(least <= row[2] <= most for row in rows), f"figure {number}: a value is out of range")
+            self.true(max(row[2] for row in rows) > 0.9 * most, f"figure {number}: all values are small")
+        lobes = self.lobe_names()
+        order = [*self.PAPER, *sorted(set(lobes) - set(self.PAPER))]
+        claims = self.cells("paper")
+        for number, symbol, prefix, suffix in ((5, "δ", "delta_", "_percent"), (7, "Δ", "Delta_", "")):
+            heading, rows = self.figure(number)
+            self.equal(heading, ["n", *(prefix + lobe + suffix for lobe in order)])
+            self.equal([row[0] for row in rows], list(range(8, 1001)))
+            for column, lobe in enumerate(order, 1):
+                errors = sorted(row[column] for row in rows)
+                if errors[-1] < 1e-9:  # c^n itself
+                    continue
+                found = [claim for claim in claims if (claim["lobe"], claim["error"]) == (lobe, symbol)]
+                self.true(found, f"{lobe}: no row for {symbol}")
+                self.near(float(found[0]["largest"].split()[0]), errors[-1], 0.0006 if suffix else 0.000006)
+                self.near(float(found[0]["median"].split()[0]), errors[len(errors) // 2], 0.0006 if suffix else 0.000006)
+                self.near(errors[-1], next(row[column] for row in rows if row[0] == int(found[0]["at n"])), 1e-9)
+
+    def test_paper_claims(self):
+        """What the paper prints, beside what is measured; each difference over 5 % has its reason."""
+        self.results()
+        self.good("report", "--results", "sweep.json", "-o", "page")
+        claims = [claim for claim in self.cells("paper") if claim["printed"] != "–"]
+        self.equal([(claim["lobe"], claim["printed"]) for claim in claims],
+                   [("schlick", "11 %"), ("cosine_power", "1.8 %"), ("quadratic", "3 %"), ("cubic", "3 %"), ("bps", "1.1 %"),
+                    ("bps", "1.05 %"), ("bps", "0.02")])
+        for claim in claims:
+            printed = float(claim["printed"].split()[0])
+            measured = [float(claim[label].split()[0]) for label in ("largest", "median")]
+            difference = float(claim["difference"].split()[0])
+            self.true(any(abs(100 * (value / printed - 1) - difference) < 0.2 for value in measured),
+                      f"{claim}: the difference is that of no value")
+            self.equal(claim["remark"].startswith("Agrees"), abs(difference) <= 5)
+            self.true("Not explained" not in claim["remark"], f"{claim}")
+        costs = self.cells("costs")
+        self.equal([(row["operations, printed"], row["cycles, printed"]) for row in costs if row["cycles, printed"] != "–"],
+                   [("1 1 2 0 0", "15"), ("4 1 0 2 0", "24"), ("4 0 2 0 1", "15"), ("5 1 2 0 0", "27"), ("4 1 4 1 1", "28")])
+        for row in costs:
+            times = [float(row[label]) for label in ("independent, ns", "dependent, ns")]
+            self.true(0 < times[0] and 0 < times[1] < 1e5, f"{row}")
+            self.true(row["cycles, Zen 4 double"] == "–" or int(row["cycles, Zen 4 double"]) > int(row["cycles, same sum"]),
+                      f"{row}")
+
+    def test_choosing(self):
+        """The engineer's table has every lobe, from the least to the largest error; then the small exponents."""
+        self.results()
+        self.good("report", "--results", "sweep.json", "-o", "page")
+        rows = self.cells("choosing")
+        lobes = [row for row in rows if "lobe" in row]
+        self.equal(sorted(row["lobe"] for row in lobes), sorted(self.lobe_names()))
+        errors = [float(row["Δ, n from 8"]) for row in lobes]
+        self.equal(errors, sorted(errors))
+        bps = next(row for row in lobes if row["lobe"] == "bps")
+        self.equal((bps["at c = 1"], bps["at c = 0"]), ("0.9927", "0.0027"))
+        small = [row for row in rows if "n" in row]
+        self.equal([row["n"] for row in small], [str(n) for n in range(1, 9)])
+        self.equal(small[0]["Δ of bps"], bps["Δ, n below 8"])
+        text = self.section("choosing")[0]
+        self.true("0.9927" in text and "0.0027" in text and small[0]["Δ of bps"][:6] in text, text[:1500])
 
     def test_refused_proofs(self):
         def refused(pattern):

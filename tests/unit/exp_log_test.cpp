@@ -198,7 +198,7 @@ TEST_CASE("log2, exp2: no entry of any legal table lies near a half") {
             // The entries depend on T and L alone.
             CHECK_NOTHROW(make_pieces(log2_1p, T, 1, L, 0));
             const int F = std::max(8, T + 1);
-            CHECK_NOTHROW(find_lobe("gauss").emit(Profile{"", F, 5, {F, T, L, 2, 6, 5}}));
+            CHECK_NOTHROW(find_lobe("gauss").emit(Profile{"", F, 5, {F, T, L, 2, 6, 5}, ""}));
         }
     }
     for (int E = 2; E <= 8; ++E) {
