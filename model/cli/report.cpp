@@ -31,6 +31,11 @@ int report(const ReportOptions& options) {
     PlotData plots{curves(50), error_map("p12"), schlick_errors(), {}, paper_data()};
     std::copy_if(measured.begin(), measured.end(), std::back_inserter(plots.measured),
                  [](const MeasuredRun& run) { return !run.accuracy().rows.empty(); });
+    // A plot holds four curves apart; of more, those of the lobe that the page begins with. The tables have all.
+    if (plots.measured.size() > 4) {
+        const std::string lobe = plots.measured.front().run->lobe;
+        std::erase_if(plots.measured, [&](const MeasuredRun& run) { return run.run->lobe != lobe; });
+    }
     const Pictures pictures = draw(plots);
 
     const std::filesystem::path folder = options.output;
