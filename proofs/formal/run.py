@@ -254,8 +254,8 @@ def prepare(task, folder):
     chosen = " ".join(f"-chparam {name} {value}" for name, value in parameters.items())
     script = f"read_verilog -formal -defer {defines} *.v\nhierarchy -check -top {task.top} {chosen}\n"
     if task.kind in ("unit", "axis"):
-        # Any product and any quotient will do: the handshake must not depend on them.
-        script += "cutpoint t:$mul t:*glint_divider*\n"
+        # Any product, quotient, logarithm, ... will do: the handshake must not depend on them.
+        script += "cutpoint t:$mul t:$shr t:*glint_divider* t:*glint_log2* t:*glint_parabola*\n"
     # What nothing drives, such as the entries of tables beside a unit, may be anything: before `opt` chooses a value.
     script += "proc\nflatten\nsetundef -undriven -anyseq\nopt -full\ndffunmap\nopt_clean\n"
     script += "delete t:$assert\n" if task.method == "cover" else "delete t:$cover\n"
