@@ -103,7 +103,8 @@ TEST_CASE("cosine_power: every intermediate is the contract's, corners of many f
                 bool same = fits(f, x) && trace.size() == x.p.size() + 3 && trace[0].code == C &&
                             trace[1].code == x.base && trace.back().code == x.y && model->eval(n, C) == x.y;
                 for (std::size_t i = 0; same && i < x.p.size(); ++i) {
-                    same = trace[i + 2].code == x.p[i] && trace[i + 2].name == "p" + std::to_string(1 << i);
+                    same = trace[i + 2].code == x.p[i] &&
+                           trace[i + 2].name == std::string("p").append(std::to_string(1 << i));
                 }
                 if (!same) FAIL("n " << n << " C " << C);
             }

@@ -46,8 +46,8 @@ struct Study {
     Summary absolute(int first, int last) const;
 };
 
-/// Angles per n: 1001 over the epicentre zone, 2001 over [0, 16 times the zone], 101 over [0, pi/2], and for the absolute
-/// error 202 around its largest.
+/// Angles per n: 1001 over the epicentre zone, 2001 over [0, 16 times the zone], 101 over [0, pi/2], and for the
+/// absolute error 202 around its largest.
 Study study(const Lobe& lobe);
 
 }  // namespace glint
