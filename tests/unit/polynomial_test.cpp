@@ -126,3 +126,37 @@ TEST_CASE("polynomial: profiles that are not legal") {
         CHECK_THROWS_AS(lobe.emit(parse_profile(name)), Error);
     }
 }
+
+TEST_CASE("polynomial: with the variable, the coefficients and the guard bits of bps it is bps, bit for bit") {
+    const LobeChoice choice = parse_lobe("polynomial:schlick:0.002737:-0.374:2.995:-1.631");
+    for (const Profile& profile : shipped_profiles()) {
+        const auto model = choice.lobe->golden(choice.profile(profile.name));
+        const auto bps = find_lobe("bps").golden(profile);
+        const int step = profile.name == "p8" ? 1 : 997;
+        std::size_t compared = 0;
+        for (int n = 1; n <= max_n; ++n) {
+            for (int C = profile.one(); C >= 0; C -= step) {
+                if (model->eval(n, C) != bps->eval(n, C)) FAIL(profile.name << " n " << n << " C " << C);
+                ++compared;
+            }
+        }
+        CHECK(compared > 100000);
+    }
+}
+
+TEST_CASE("polynomial: options name the files, and what makes no sense is refused") {
+    const LobeChoice one = parse_lobe("polynomial:symmetric:0:-1:2");
+    const LobeChoice other = parse_lobe("polynomial:symmetric:0:-1:2.5");
+    CHECK(one.profile("p12").name != other.profile("p12").name);
+    CHECK(one.profile("p12").argument() == "p12");
+    CHECK(one.profile("18,14,14,12").argument() == "18,14,14,12");
+    CHECK_THROWS_AS(parse_lobe("bps:symmetric:0:1:2"), Error);
+    CHECK_THROWS_AS(parse_lobe("polynomial:"), Error);
+    for (const char* text :
+         {"phong:0:1:2", "symmetric", "symmetric:0:1", "symmetric:0:1:2:3:4:5:6:7", "symmetric:0:x:2", "symmetric:0::2",
+          "symmetric:0:1:64", "symmetric:0:1:nan", "symmetric:0:1:2:"}) {
+        CAPTURE(text);
+        const LobeChoice choice = parse_lobe(std::string("polynomial:").append(text));
+        CHECK_THROWS_AS(choice.lobe->golden(choice.profile("p12")), Error);
+    }
+}
