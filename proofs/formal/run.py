@@ -50,21 +50,10 @@ class Task:
 
 # ---- what is proven -------------------------------------------------------------------------------------------------
 
-# One line a lobe: the smallest legal word lengths of its unit, where latency is short enough for covers and planted bugs.
-# The word lengths of the profiles are read from the generated wrappers.
-STREAMS = {
-    "bps": {"F": 8, "S": 4, "K": 4, "O": 4},
-    "schlick": {"F": 8, "O": 4},
-    "cubic": {"F": 8, "S": 4, "K": 6, "O": 4},
-    "cayley": {"F": 8, "A": 0, "S": 4, "O": 4},
-    "taylor": {"F": 8, "A": 16, "E": 8, "S": 4, "O": 4},
-    "cosine_power": {"F": 8, "LOG2_A": 3, "S": 4, "O": 4},
-    "quadratic": {"F": 8, "S": 4, "K": 4, "O": 4},
-    "polynomial": {"F": 8, "S": 4, "K": 4, "O": 4, "I": 2, "VARIABLE": 1, "DEGREE": 3},
-    "blinn_phong": {"F": 8, "T": 4, "L": 9, "E": 2, "S": 6, "O": 4},
-    "spherical_gaussian": {"F": 8, "K": 4, "E": 2, "S": 6, "O": 4},
-    "gauss": {"F": 8, "T": 4, "L": 9, "E": 2, "S": 6, "O": 4},
-}
+# Every lobe of the registry is proven at the word lengths of its generated wrappers. For covers and planted bugs, which
+# want a short latency, bps has the smallest that are legal; other lobes are covered at p8.
+LOBES = re.findall(r"^GLINT_LOBE\((\w+)\)$", (RTL.parent / "model/include/glint/lobes.def").read_text(), re.M)
+SMALL = {"bps": {"F": 8, "S": 4, "K": 4, "O": 4}}
 BUGGED = "bps"  # proven at every shipped profile, the others at p12; bugs of what the lobes share are planted here
 TAG_W = 16
 DIVIDERS = {"p8": (28, 26, 12), "p12": (34, 28, 16), "p16": (40, 30, 20)}  # X_W, Y_W, Q_W in bps
@@ -132,7 +121,7 @@ def word_lengths(lobe, profile):
     """The integer parameters that the generated wrapper of a unit sets."""
     wrapper = RTL / "generated" / f"glint_{lobe}_{profile}.v"
     if not wrapper.exists():
-        raise UsageError(f"lobe {lobe} of STREAMS has no {wrapper.name} in {wrapper.parent}")
+        raise UsageError(f"lobe {lobe} has no {wrapper.name} in {wrapper.parent}")
     found = re.findall(r"^ +\.([A-Z]\w*) *\((\d+)\),$", wrapper.read_text(), re.M)
     return {name: int(value) for name, value in found}
 
@@ -164,7 +153,8 @@ def tasks():
                  "glint_divider", "divider", small, "induction", 1, defines=("MULTIPLY",)),
             Task("divider.cover", "not vacuous", "glint_divider", "divider", small, "cover", 12),
             *bugs("divider", "glint_divider", "divider", small, 9, "glint_divider", DIVIDER_BUGS, ("MULTIPLY",))]
-    for lobe, small in STREAMS.items():
+    for lobe in LOBES:
+        small = SMALL.get(lobe) or word_lengths(lobe, "p8")
         unit, wrapper = f"glint_{lobe}", f"glint_{lobe}_axis_p12"
         for profile in ("p8", "p12", "p16") if lobe == BUGGED else ("p12",):
             numbers = word_lengths(lobe, profile)
