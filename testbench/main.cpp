@@ -69,6 +69,8 @@ int cosim(const Options& options, const std::string& command) {
             begin = end + 1;
         }
     }
+    cli::check_writable(options.json);
+    cli::check_writable(options.junit);
     std::vector<cli::RunResult> runs;
     std::vector<JUnitCase> cases;
     for (const auto& [model, kind] : work) {

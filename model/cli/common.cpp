@@ -86,6 +86,18 @@ void write_file(const std::filesystem::path& path, std::string_view text) {
     }
 }
 
+void check_writable(const std::filesystem::path& path) {
+    if (path.empty()) return;
+    std::error_code unknown;
+    const std::filesystem::file_status there = std::filesystem::status(path, unknown);
+    const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
+    const bool folder_there = std::filesystem::is_directory(folder, unknown);
+    const bool good = std::filesystem::exists(there) && !std::filesystem::is_regular_file(there)
+                          ? !std::filesystem::is_directory(there)  // a pipe or a device
+                          : folder_there && access(folder.c_str(), W_OK) == 0;
+    if (!good) throw Error(fmt::format("file '{}' cannot be written", path.string()));
+}
+
 Progress progress_bar(std::string label) {
     if (!isatty(STDERR_FILENO)) return {};
     using clock = std::chrono::steady_clock;

@@ -47,6 +47,10 @@ CLI::Option* add_integer(CLI::App& app, const std::string& name, Integer& value,
 /// directly. Throws Error.
 void write_file(const std::filesystem::path& path, std::string_view text);
 
+/// Before work that takes time: throws Error, the line of write_file, where that would not be able to write. An empty
+/// path is fine.
+void check_writable(const std::filesystem::path& path);
+
 /// Makes the folder if it is not there. Throws Error.
 void make_folder(const std::filesystem::path& folder);
 

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstdio>
@@ -5,6 +6,7 @@
 #include <vector>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "commands.hpp"
 #include "common.hpp"
@@ -22,11 +24,12 @@ struct Options {
     double cosine = 0.0;
     std::int64_t cos_code = 0;
     bool from_stdin = false;
+    std::string json;
     bool port = false;
 };
 
-int show(const GoldenModel& model, const Lobe& lobe, int n, std::int64_t cos_code, bool port) {
-    if (!port) model.eval(n, cos_code);  // refuses what is not legal
+int show(const GoldenModel& model, int n, std::int64_t cos_code, const Options& options, const std::string& command) {
+    if (!options.port) model.eval(n, cos_code);  // refuses what is not legal
     const PortResult result = model.eval_port(n, cos_code);
     const double c = std::ldexp(static_cast<double>(cos_code), -model.profile().F);
     std::vector<std::vector<std::string>> rows{{"value", "code", "fraction bits", "real"}};
@@ -36,12 +39,33 @@ int show(const GoldenModel& model, const Lobe& lobe, int n, std::int64_t cos_cod
     }
     const double y = std::ldexp(static_cast<double>(result.y), -model.profile().O);
     const int counted = n == 0 ? 1 : n;
-    const double real = lobe.reference(c, counted);
+    // The model's own real function, which knows the numbers of a custom profile and the options of a lobe.
+    const double within = std::clamp(c, 0.0, 1.0);
+    double real = 0.0;
+    if (c >= 0.0) model.reference(counted, {&within, 1}, {&real, 1});
     const double blinn_phong = reference::blinn_phong(c, counted);
-    fmt::print("{} {} n {} cos code {} (c = {:.9f}){}\n{}", lobe.name, model.profile().name, n, cos_code, c,
+    if (!options.json.empty()) {
+        nlohmann::ordered_json out{{"tool", "glint eval"},
+                                   {"command", command},
+                                   {"lobe", model.lobe()},
+                                   {"profile", model.profile().name},
+                                   {"n", n},
+                                   {"cos_code", cos_code},
+                                   {"y", result.y},
+                                   {"clamped", result.clamped},
+                                   {"values", nlohmann::ordered_json::array()},
+                                   {"real", real},
+                                   {"blinn_phong", blinn_phong}};
+        for (const Intermediate& value : model.trace(n, cos_code)) {
+            out["values"].push_back(
+                {{"name", value.name}, {"code", value.code}, {"fraction_bits", value.fraction_bits}});
+        }
+        write_file(options.json, out.dump(1) + "\n");
+    }
+    fmt::print("{} {} n {} cos code {} (c = {:.9f}){}\n{}", model.lobe(), model.profile().name, n, cos_code, c,
                result.clamped ? ", clamped" : "", table(rows));
     fmt::print("{} of real numbers {:.9f}, rounding error {:.4f} ulp; c^n {:.9f}, approximation error {:.6f}\n",
-               lobe.name, real, std::abs(y - real) * std::ldexp(1.0, model.profile().O), blinn_phong,
+               model.lobe(), real, std::abs(y - real) * std::ldexp(1.0, model.profile().O), blinn_phong,
                std::abs(y - blinn_phong));
     return success;
 }
@@ -145,16 +169,17 @@ void add_eval(CLI::App& app, Chosen& chosen) {
     command->add_flag("--port", options->port, "Port semantics: correct what is out of range and say so");
     CLI::Option* from_stdin = command->add_flag("--stdin", options->from_stdin,
                                                 "Read lines \"n cos_code\", write lines \"y\" (--port: \"y clamped\")");
+    CLI::Option* json = command->add_option("--json", options->json, "Write the same as JSON");
+    from_stdin->excludes(json);
     n->default_str("");  // neither has a default
     code->default_str("");
     cosine->excludes(code);
     from_stdin->excludes(n)->excludes(cosine)->excludes(code);
     command->footer("Example: glint eval --lobe bps --profile p12 --n 50 --cos 0.98");
     command->callback([=, &chosen] {
-        chosen.run = [=] {
+        chosen.run = [=, &chosen] {
             const LobeChoice choice = parse_lobe(options->lobe);
-            const Lobe& lobe = *choice.lobe;
-            const auto model = lobe.golden(choice.profile(options->profile));
+            const auto model = choice.lobe->golden(choice.profile(options->profile));
             if (options->from_stdin) return Stream(*model, options->port).run();
             if (n->count() == 0) throw Error("--n is missing: 1 to 1023 (or --stdin)");
             if (cosine->count() + code->count() == 0) throw Error("--cos or --cos-code is missing (or --stdin)");
@@ -165,7 +190,7 @@ void add_eval(CLI::App& app, Chosen& chosen) {
                     throw Error(fmt::format("cosine {} is not legal: 0 to 1", options->cosine));
                 }
             }
-            return show(*model, lobe, options->n, cos_code, options->port);
+            return show(*model, options->n, cos_code, *options, chosen.command);
         };
     });
 }

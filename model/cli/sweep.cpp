@@ -22,6 +22,8 @@ struct Options {
 };
 
 int run_sweep(const Options& options, const std::string& command) {
+    check_writable(options.csv);
+    check_writable(options.json);
     std::vector<RunResult> runs;
     bool failed = false;
     for (const auto& model : models(options.lobe, options.profile)) {

@@ -111,6 +111,23 @@ class Case(unittest.TestCase):
         return (self.folder / name).read_text()
 
 
+class Variants(Case):
+    def test_real_function_of_the_variant(self):
+        """The real function beside a result is that of the model, whatever its profile and options make of the lobe."""
+        for lobe, profile in (("cayley", "18,2,18,12"), ("cosine_power", "18,2,16,12"),
+                              ("polynomial:symmetric:0:0.5:0.5", "p12"), ("taylor", "p12"), ("bps", "18,14,14,12")):
+            for n, code in ((1, 131072), (50, 256901), (1000, 262100)):
+                text = self.good("eval", "--lobe", lobe, "--profile", profile, "--n", n, "--cos-code", code, "--json",
+                                 "eval.json")
+                found = json.loads(self.read("eval.json"))
+                self.true(abs(found["y"] / 2**12 - found["real"]) < 2**-12, f"{lobe} {profile}: {text}")
+                self.equal(found["values"][-1]["code"], found["y"])
+
+    def test_output_is_checked_first(self):
+        self.refused("file 'none/out.json' cannot be written", "sweep", "--profile", "p16", "--json", "none/out.json")
+        self.refused("file 'none/out.csv' cannot be written", "sweep", "--profile", "p16", "--csv", "none/out.csv")
+
+
 class Fit(Case):
     def test_published(self):
         """The regression of the paper, from its own data set: its coefficients to the digits printed there."""
