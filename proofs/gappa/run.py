@@ -185,7 +185,7 @@ def table(rows):
     return "\n".join(lines)
 
 
-def print_tables(proofs):
+def print_tables(proofs, ranges):
     rows = [["lobe", "profile", "proven/ulp", "measured/ulp", "ratio", "inputs"]]
     for proof in proofs:
         proven = "-" if proof.proven is None else f"{math.ceil(proof.proven * 10**4) / 10**4:.4f}"
@@ -196,7 +196,7 @@ def print_tables(proofs):
             row[5] = str(proof.measured.inputs)
         rows.append(row)
     print(table(rows))
-    for lobe in dict.fromkeys(proof.script.lobe for proof in proofs):
+    for lobe in dict.fromkeys(proof.script.lobe for proof in proofs) if ranges else ():
         of_lobe = [proof for proof in proofs if proof.script.lobe == lobe]
         names = dict.fromkeys(name for proof in of_lobe for name in proof.script.asked)
         rows = [["lobe", "range of"] + [proof.script.profile for proof in of_lobe]]
@@ -228,6 +228,7 @@ def main():
     parser.add_argument("--measured", action="append", type=pathlib.Path, default=[], metavar="FILE",
                         help="results of glint sweep, glint-cosim or glint-wide --json; may be given several times")
     parser.add_argument("--json", type=pathlib.Path, metavar="FILE", help="write the same facts as JSON")
+    parser.add_argument("--bounds-only", action="store_true", help="print the bounds, not the ranges")
     parser.add_argument("--gappa", default="gappa", metavar="PROGRAM", help="the Gappa program (default: gappa)")
     parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1, metavar="N", help="scripts at a time")
     options = parser.parse_args()
@@ -253,7 +254,7 @@ def main():
         failures += [f"{key[0]} {key[1]}: {failure}" for failure in proof.failures]
     if options.measured and all(proof.measured is None for proof in proofs):
         failures.append("nothing measured could be compared with a proof")
-    print_tables(proofs)
+    print_tables(proofs, not options.bounds_only)
     for lobe, profile in measured:
         print(f"measured, but no proof here: {lobe} {profile}")
     if options.json:
