@@ -64,8 +64,10 @@ int run_emit(const Options& options) {
 void add_emit(CLI::App& app, Chosen& chosen) {
     auto options = std::make_shared<Options>();
     CLI::App* command = app.add_subcommand("emit", "Verilog wrappers, HLS constants and proof scripts of a profile");
-    command->add_option("--lobe", options->lobe, "Lobe, with its options: polynomial:symmetric:0:-1:2")->capture_default_str();
-    command->add_option("--profile", options->profile, "Profiles: p8, p12, p16 or the lobe's F,..,O")->capture_default_str();
+    command->add_option("--lobe", options->lobe, "Lobe, with its options: polynomial:symmetric:0:-1:2")
+        ->capture_default_str();
+    command->add_option("--profile", options->profile, "Profiles: p8, p12, p16 or the lobe's F,..,O")
+        ->capture_default_str();
     command->add_option("--target", options->target, "verilog, hls, proof or all")->capture_default_str();
     command->add_option("-o,--output", options->folder, "Folder")->capture_default_str();
     command->footer("Example: glint emit --lobe bps --profile 18,14,14,12 -o out");

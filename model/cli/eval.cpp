@@ -160,7 +160,8 @@ private:
 void add_eval(CLI::App& app, Chosen& chosen) {
     auto options = std::make_shared<Options>();
     CLI::App* command = app.add_subcommand("eval", "One input with every intermediate value, or a stream of inputs");
-    command->add_option("--lobe", options->lobe, "Lobe, with its options: polynomial:symmetric:0:-1:2")->capture_default_str();
+    command->add_option("--lobe", options->lobe, "Lobe, with its options: polynomial:symmetric:0:-1:2")
+        ->capture_default_str();
     command->add_option("--profile", options->profile, "p8, p12, p16 or the lobe's F,..,O")->capture_default_str();
     CLI::Option* n = add_integer(*command, "--n", options->n, 0, max_n, "Specular exponent, 1 to 1023 (--port: 0 too)");
     CLI::Option* cosine = command->add_option("--cos", options->cosine, "Cosine, rounded to its code");

@@ -53,7 +53,8 @@ void add_sweep(CLI::App& app, Chosen& chosen) {
     CLI::App* command =
         app.add_subcommand("sweep", "Errors of a golden model over ranges of inputs, per n and in total");
     command->add_option("--lobe", options->lobe, "Lobes, separated by commas, or all")->capture_default_str();
-    command->add_option("--profile", options->profile, "Profiles: p8, p12, p16 or the lobe's F,..,O")->capture_default_str();
+    command->add_option("--profile", options->profile, "Profiles: p8, p12, p16 or the lobe's F,..,O")
+        ->capture_default_str();
     command->add_option("--n", options->n, "Exponents: n, first:last, first:last:step or all")->capture_default_str();
     command->add_option("--cos", options->cos, "Cosine codes: a range as for --n, or all (0 to 2^F)")
         ->capture_default_str();

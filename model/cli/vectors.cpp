@@ -51,7 +51,8 @@ void add_vectors(CLI::App& app, Chosen& chosen) {
     auto options = std::make_shared<Options>();
     CLI::App* command = app.add_subcommand("vectors", "Test vectors with the golden results, and a JSON manifest");
     command->add_option("--lobe", options->lobe, "Lobes, separated by commas")->capture_default_str();
-    command->add_option("--profile", options->profile, "Profiles: p8, p12, p16 or the lobe's F,..,O")->capture_default_str();
+    command->add_option("--profile", options->profile, "Profiles: p8, p12, p16 or the lobe's F,..,O")
+        ->capture_default_str();
     add_integer(*command, "--count", options->count, 1, 10'000'000, "Vectors, the corners among them");
     add_integer(*command, "--seed", options->seed, 0, largest_seed, "Seed of the random ones");
     command->add_option("--format", options->format, "tv, csv or hex ($readmemh)")->capture_default_str();
