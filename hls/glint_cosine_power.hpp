@@ -26,21 +26,8 @@ std::uint32_t cosine_power(uint<10> n, sint<Constants::F + 2> cos_code) {
     constexpr std::int64_t offset = (std::int64_t{1} << (F + LOG2_A)) + ((std::int64_t{1} << CUT) >> 1);
     const sint<F + 11> base =
         to_sint<F + 11>(to_sint<F + 11>(offset) - static_cast<sint<F + 11>>(scaled_distance<F>(in)));
-    uint<S + 1> p = base < 0 ? to_uint<S + 1>(0) : to_uint<S + 1>(floor_shift<CUT>(base));  // p1: 0 .. 2^S
-
-#ifdef GLINT_HLS_PRAGMAS
-#pragma hls_unroll yes
-#ifdef __BAMBU__
-#pragma clang loop unroll(full)
-#endif
-#endif
-    for (int i = 1; i < LOG2_A; ++i) {  // p2, p4, ...: 0 .. 2^S
-#ifdef GLINT_HLS_PRAGMAS
-#pragma HLS UNROLL
-#endif
-        p = square<S, S>(p);
-    }
-    return word<F, O>(in, square<S, O>(p));  // 0 .. 2^O
+    const uint<S + 1> p1 = base < 0 ? to_uint<S + 1>(0) : to_uint<S + 1>(floor_shift<CUT>(base));  // 0 .. 2^S
+    return word<F, O>(in, power<S, O, LOG2_A - 1>(p1, to_uint<3>(0)));  // p2, p4, ..., y: 0 .. 2^S, 0 .. 2^O
 }
 
 }  // namespace glint_hls

@@ -88,6 +88,9 @@ uint<O + 1> power(uint<S + 1> r, uint<3> chosen) {
     powers[0] = r;
 #ifdef GLINT_HLS_PRAGMAS
 #pragma hls_unroll yes
+#ifdef __BAMBU__
+#pragma clang loop unroll(full)
+#endif
 #endif
     for (int i = 1; i <= SQUARES; ++i) {
 #ifdef GLINT_HLS_PRAGMAS

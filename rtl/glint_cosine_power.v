@@ -78,43 +78,20 @@ module glint_cosine_power #(
         end
     end
 
-    // ---- p2 = rnd(p1^2, S), p4 = rnd(p2^2, S), ...: all but the last squaring -------------------------------------
-    // Field i holds p<2^i>.
-    wire [LOG2_A*(S+1)-1:0] p;
-    assign p[S:0] = p1_q;
-
-    genvar i;
-    generate
-        for (i = 1; i < LOG2_A; i = i + 1) begin : squaring
-            glint_square #(
-                .S(S),
-                .R(S)
-            ) square (
-                .clk_i   (clk_i),
-                .enable_i(advance),
-                .x_i     (p[(i-1)*(S+1)+:S+1]),
-                .y_o     (p[i*(S+1)+:S+1])
-            );
-        end
-    endgenerate
-
-    // ---- y = rnd(p^2, 2 S - O): the last squaring, which also makes y 0 for cos < 0 -------------------------------
-    // p^2 <= 2^(2S); with the half that rounds it still fits 2 S + 1 bits.
-    localparam CUT_Y = 2 * S - O;  // at least O, since O <= S
-
-    wire [2*S:0] last = {{S{1'b0}}, p[(LOG2_A-1)*(S+1)+:S+1]};
-    reg  [2*S:0] square_q;
-    /* verilator lint_off UNUSED */  // the low bits of the sum are those that rounding cuts
-    wire [2*S:0] sum = square_q + {{(2 * S + 1 - CUT_Y) {1'b0}}, 1'b1, {(CUT_Y - 1) {1'b0}}};
-    /* verilator lint_on UNUSED */
-    reg    [O:0] y_q;
-    always @(posedge clk_i) begin
-        if (advance) begin
-            square_q <= last * last;
-            y_q      <= negative ? {(O + 1) {1'b0}} : sum[2*S:CUT_Y];
-        end
-    end
-    assign y_o = y_q;
+    // ---- p2 = rnd(p1^2, S), p4 = rnd(p2^2, S), ..., y = rnd(p^2, 2 S - O): LOG2_A squarings --------------------------
+    glint_power #(
+        .S      (S),
+        .O      (O),
+        .SQUARES(LOG2_A - 1),
+        .CHOICE (0)
+    ) power (
+        .clk_i     (clk_i),
+        .enable_i  (advance),
+        .r_i       (p1_q),
+        .power_i   (3'd0),
+        .negative_i(negative),
+        .y_o       (y_o)
+    );
 
 endmodule
 

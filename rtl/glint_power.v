@@ -13,7 +13,7 @@
 module glint_power #(
     parameter S       = 17,  // fraction bits of r and its powers
     parameter O       = 12,  // fraction bits of y; O < 2 S
-    parameter SQUARES = 2,   // 0 .. 4; at least 2 with CHOICE
+    parameter SQUARES = 2,   // 0 .. 5; at least 2 with CHOICE
     parameter CHOICE  = 1    // 0: power_i is not read and counts as 0
 ) (
     input  wire       clk_i,

@@ -14,91 +14,40 @@ struct glint_blinn_phong_p8_constants {
     static constexpr int O = 8;  // fraction bits of the output
     static std::int64_t log2_c0(unsigned index) {
         static const std::int64_t values[] = {
-            0,
-            183423,
-            356359,
-            519942,
-            675132,
-            822749,
-            963498,
-            1097989,
-            1226755,
-            1350264,
-            1468929,
-            1583114,
-            1693146,
-            1799317,
-            1901887,
-            2001095,
+            0, 183423, 356359, 519942, 675132, 822749, 963498, 1097989,
+            1226755, 1350264, 1468929, 1583114, 1693146, 1799317, 1901887, 2001095,
         };
         return values[index];
     }
     static std::int64_t log2_c1(unsigned index) {
         static const std::int64_t values[] = {
-            188982,
-            177878,
-            168005,
-            159170,
-            151218,
-            144023,
-            137480,
-            131506,
-            126030,
-            120992,
-            116340,
-            112033,
-            108034,
-            104309,
-            100834,
-            97582,
+            188982, 177878, 168005, 159170, 151218, 144023, 137480, 131506,
+            126030, 120992, 116340, 112033, 108034, 104309, 100834, 97582,
         };
         return values[index];
     }
     static std::int64_t log2_c2(unsigned index) {
         static const std::int64_t values[] = {
-            -5559,
-            -4942,
-            -4422,
-            -3980,
-            -3601,
-            -3274,
-            -2989,
-            -2740,
-            -2521,
-            -2327,
-            -2155,
-            -2001,
-            -1863,
-            -1739,
-            -1626,
-            -1525,
+            -5559, -4942, -4422, -3980, -3601, -3274, -2989, -2740,
+            -2521, -2327, -2155, -2001, -1863, -1739, -1626, -1525,
         };
         return values[index];
     }
     static std::int64_t exp2_c0(unsigned index) {
         static const std::int64_t values[] = {
-            4096,
-            3444,
-            2896,
-            2435,
+            4096, 3444, 2896, 2435,
         };
         return values[index];
     }
     static std::int64_t exp2_c1(unsigned index) {
         static const std::int64_t values[] = {
-            -2834,
-            -2382,
-            -2004,
-            -1682,
+            -2834, -2382, -2004, -1682,
         };
         return values[index];
     }
     static std::int64_t exp2_c2(unsigned index) {
         static const std::int64_t values[] = {
-            226,
-            190,
-            160,
-            134,
+            226, 190, 160, 134,
         };
         return values[index];
     }

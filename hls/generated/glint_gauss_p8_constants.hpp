@@ -14,91 +14,40 @@ struct glint_gauss_p8_constants {
     static constexpr int O = 8;  // fraction bits of the output
     static std::int64_t angle_c0(unsigned index) {
         static const std::int64_t values[] = {
-            0,
-            191100,
-            386347,
-            585962,
-            790190,
-            999296,
-            1213572,
-            1433336,
-            1658944,
-            1890786,
-            2129298,
-            2374967,
-            2628341,
-            2890038,
-            3160761,
-            3441314,
+            0, 191100, 386347, 585962, 790190, 999296, 1213572, 1433336,
+            1658944, 1890786, 2129298, 2374967, 2628341, 2890038, 3160761, 3441314,
         };
         return values[index];
     }
     static std::int64_t angle_c1(unsigned index) {
         static const std::int64_t values[] = {
-            189080,
-            193120,
-            197372,
-            201858,
-            206597,
-            211614,
-            216934,
-            222593,
-            228620,
-            235060,
-            241960,
-            249374,
-            257368,
-            266019,
-            275419,
-            285678,
+            189080, 193120, 197372, 201858, 206597, 211614, 216934, 222593,
+            228620, 235060, 241960, 249374, 257368, 266019, 275419, 285678,
         };
         return values[index];
     }
     static std::int64_t angle_c2(unsigned index) {
         static const std::int64_t values[] = {
-            2020,
-            2127,
-            2243,
-            2370,
-            2509,
-            2662,
-            2830,
-            3015,
-            3222,
-            3452,
-            3709,
-            4000,
-            4329,
-            4704,
-            5134,
-            5632,
+            2020, 2127, 2243, 2370, 2509, 2662, 2830, 3015,
+            3222, 3452, 3709, 4000, 4329, 4704, 5134, 5632,
         };
         return values[index];
     }
     static std::int64_t exp2_c0(unsigned index) {
         static const std::int64_t values[] = {
-            4096,
-            3444,
-            2896,
-            2435,
+            4096, 3444, 2896, 2435,
         };
         return values[index];
     }
     static std::int64_t exp2_c1(unsigned index) {
         static const std::int64_t values[] = {
-            -2834,
-            -2382,
-            -2004,
-            -1682,
+            -2834, -2382, -2004, -1682,
         };
         return values[index];
     }
     static std::int64_t exp2_c2(unsigned index) {
         static const std::int64_t values[] = {
-            226,
-            190,
-            160,
-            134,
+            226, 190, 160, 134,
         };
         return values[index];
     }

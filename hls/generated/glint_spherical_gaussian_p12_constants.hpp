@@ -15,40 +15,19 @@ struct glint_spherical_gaussian_p12_constants {
     static constexpr std::int64_t b = 9159;  // 0.775 log2 e
     static std::int64_t exp2_c0(unsigned index) {
         static const std::int64_t values[] = {
-            65536,
-            60097,
-            55109,
-            50535,
-            46341,
-            42495,
-            38968,
-            35734,
+            65536, 60097, 55109, 50535, 46341, 42495, 38968, 35734,
         };
         return values[index];
     }
     static std::int64_t exp2_c1(unsigned index) {
         static const std::int64_t values[] = {
-            -22698,
-            -20816,
-            -19088,
-            -17503,
-            -16050,
-            -14719,
-            -13496,
-            -12378,
+            -22698, -20816, -19088, -17503, -16050, -14719, -13496, -12378,
         };
         return values[index];
     }
     static std::int64_t exp2_c2(unsigned index) {
         static const std::int64_t values[] = {
-            942,
-            864,
-            792,
-            727,
-            666,
-            611,
-            560,
-            514,
+            942, 864, 792, 727, 666, 611, 560, 514,
         };
         return values[index];
     }

@@ -15,28 +15,19 @@ struct glint_spherical_gaussian_p8_constants {
     static constexpr std::int64_t b = 572;  // 0.775 log2 e
     static std::int64_t exp2_c0(unsigned index) {
         static const std::int64_t values[] = {
-            4096,
-            3444,
-            2896,
-            2435,
+            4096, 3444, 2896, 2435,
         };
         return values[index];
     }
     static std::int64_t exp2_c1(unsigned index) {
         static const std::int64_t values[] = {
-            -2834,
-            -2382,
-            -2004,
-            -1682,
+            -2834, -2382, -2004, -1682,
         };
         return values[index];
     }
     static std::int64_t exp2_c2(unsigned index) {
         static const std::int64_t values[] = {
-            226,
-            190,
-            160,
-            134,
+            226, 190, 160, 134,
         };
         return values[index];
     }

@@ -18,6 +18,14 @@ namespace glint::cli {
 
 namespace {
 
+/// /dev/stdout and other pipes and devices, which are written to; renaming would put a file in their place.
+bool is_device(const std::filesystem::path& path) {
+    std::error_code unknown;
+    const std::filesystem::file_status there = std::filesystem::status(path, unknown);
+    return std::filesystem::exists(there) && !std::filesystem::is_regular_file(there) &&
+           !std::filesystem::is_directory(there);
+}
+
 /// What is wrong with the arguments. Where a subcommand is missing, CLI11 does not say what stood in its place.
 std::string explain(const CLI::ParseError& error, const CLI::App& app) {
     const std::vector<std::string> extra = app.remaining();
@@ -66,11 +74,7 @@ void make_folder(const std::filesystem::path& folder) {
 }
 
 void write_file(const std::filesystem::path& path, std::string_view text) {
-    // /dev/stdout and other pipes and devices are written to; renaming would put a file in their place.
-    std::error_code unknown;
-    const std::filesystem::file_status there = std::filesystem::status(path, unknown);
-    const bool device = std::filesystem::exists(there) && !std::filesystem::is_regular_file(there) &&
-                        !std::filesystem::is_directory(there);
+    const bool device = is_device(path);
     // The process number keeps two commands that write the same file apart.
     std::filesystem::path temporary = path;
     if (!device) temporary += fmt::format(".{}.tmp", getpid());
@@ -89,12 +93,10 @@ void write_file(const std::filesystem::path& path, std::string_view text) {
 void check_writable(const std::filesystem::path& path) {
     if (path.empty()) return;
     std::error_code unknown;
-    const std::filesystem::file_status there = std::filesystem::status(path, unknown);
     const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
-    const bool folder_there = std::filesystem::is_directory(folder, unknown);
-    const bool good = std::filesystem::exists(there) && !std::filesystem::is_regular_file(there)
-                          ? !std::filesystem::is_directory(there)  // a pipe or a device
-                          : folder_there && access(folder.c_str(), W_OK) == 0;
+    const bool good =
+        is_device(path) || (!std::filesystem::is_directory(path, unknown) &&
+                            std::filesystem::is_directory(folder, unknown) && access(folder.c_str(), W_OK) == 0);
     if (!good) throw Error(fmt::format("file '{}' cannot be written", path.string()));
 }
 

@@ -4,6 +4,7 @@
 #include <type_traits>
 
 #include "glint/reference.hpp"
+#include "lobes/numbers.hpp"
 
 namespace glint {
 namespace {
@@ -62,7 +63,7 @@ struct CosinePower {
 struct Quadratic {
     template <class T>
     T operator()(T c, T n) const {
-        const T k = T{0.786} * n;
+        const T k = T{quadratic_slope} * n;
         return at_least_0(k * c * c + (T{1.0} - k) * c);
     }
 };
@@ -113,7 +114,8 @@ struct SymmetricCubic {
     T operator()(T c, T n) const {
         const T p = c + one;
         const T t = p / (p - T{2.0} * n * (c - one));
-        return at_least_0(t * (T{-0.3444} + t * (T{2.8786} + T{-1.5342} * t)));
+        const auto& k = polynomial_coefficients;
+        return at_least_0(t * (T{k[1]} + t * (T{k[2]} + T{k[3]} * t)));
     }
 };
 struct Cayley {
@@ -128,7 +130,7 @@ struct Taylor {
     template <class T>
     T operator()(T c, T n) const {
         const T t = c - one;
-        const T x = T{1.0 / 16.0} * n * (t * (T{0.625} * t - one));
+        const T x = T{1.0 / 16.0} * n * (t * (T{taylor_bend} * t - one));
         const T r = T{0.5} * (square(x - one) + one);
         return x < T{1.0} ? square(square(square(square(r)))) : T{0.0};
     }
@@ -136,7 +138,7 @@ struct Taylor {
 struct SphericalGaussian {
     template <class T>
     T operator()(T c, T n) const {
-        return exponential((n + T{0.775}) * (c - one));
+        return exponential((n + T{spherical_gaussian_shift}) * (c - one));
     }
 };
 struct Gauss {

@@ -35,18 +35,25 @@ TEST_CASE("cubic: c^n itself for n up to 3, 1 at c = 1, 0 in the cut, falling bu
     SUCCEED();
 }
 
-TEST_CASE("cubic: every intermediate is within the range that the document gives, at every input of p8") {
-    const auto model = find_lobe("cubic").golden(parse_profile("p8"));
+TEST_CASE("cubic: every intermediate is within the range that the document gives, at every input of p8 and p12") {
     const std::map<std::string, std::pair<double, double>> ranges{{"C", {0.0, 1.0}},     {"X", {0.0, 1.0}},
                                                                   {"T", {0.0, 3.0}},     {"h2", {0.0, 0.34}},
                                                                   {"h1", {-1.34, 0.17}}, {"y", {0.0, 1.0}}};
-    for (int n = 1; n <= max_n; n += n < 64 ? 1 : 7) {
-        for (int C = 0; C <= model->profile().one(); C += n < 8 ? 1 : 3) {
-            for (const Intermediate& i : model->trace(n, C)) {
-                const auto& [low, high] = ranges.at(std::string(i.name));
-                const double value = std::ldexp(static_cast<double>(i.code), -i.fraction_bits);
-                if (value < low || value > high) FAIL(i.name << " = " << value << " at n " << n << " C " << C);
+    for (const std::string profile : {"p8", "p12"}) {
+        const auto model = find_lobe("cubic").golden(parse_profile(profile));
+        for (int n = 1; n <= max_n; ++n) {
+            bool cut = false;  // in the cut all but C and X stay as they are at its first input
+            for (int C = model->profile().one(); C >= 0 && !cut; --C) {
+                std::int64_t T = 0;
+                for (const Intermediate& i : model->trace(n, C)) {
+                    const auto& [low, high] = ranges.at(std::string(i.name));
+                    const double value = std::ldexp(static_cast<double>(i.code), -i.fraction_bits);
+                    if (value < low || value > high) FAIL(i.name << " = " << value << " at n " << n << " C " << C);
+                    if (i.name == "T") T = i.code;
+                }
+                cut = n > 3 && T == 0 && C < model->profile().one() - 16;
             }
+            if (n > 3 && !cut) FAIL("n " << n << " has no cut");
         }
     }
     SUCCEED();

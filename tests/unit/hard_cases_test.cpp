@@ -54,6 +54,16 @@ TEST_CASE("bps: the cases around the cut to 0 stand where they say") {
     }
 }
 
+TEST_CASE("every lobe stands in the registry once") {
+    std::set<std::string_view> names;
+    for (const Lobe& lobe : lobes()) {
+        CAPTURE(lobe.name);
+        CHECK(names.insert(lobe.name).second);
+        CHECK(&find_lobe(lobe.name) == &lobe);
+    }
+    CHECK(names.size() >= 11);
+}
+
 TEST_CASE("docs/hard-cases.md is what `glint cases` prints") {
     std::ifstream file(GLINT_SOURCE_DIR "/docs/hard-cases.md");
     std::ostringstream text;

@@ -237,7 +237,11 @@ GeneratedFile kernel(std::string_view lobe, const Profile& profile, const std::v
             members += fmt::format(
                 "    static std::int64_t {}_{}(unsigned index) {{\n        static const std::int64_t values[] = {{\n",
                 table.name, table.fields[k].name);
-            for (const auto& row : table.rows) members += fmt::format("            {},\n", row[k]);
+            for (std::size_t i = 0; i < table.rows.size(); ++i) {
+                const bool ends = i % 8 == 7 || i + 1 == table.rows.size();
+                members +=
+                    fmt::format("{}{},{}", i % 8 == 0 ? "            " : " ", table.rows[i][k], ends ? "\n" : "");
+            }
             members += "        };\n        return values[index];\n    }\n";
         }
     }

@@ -4,13 +4,12 @@
 #include <charconv>
 #include <cmath>
 
+#include "glint/fit.hpp"
 #include "lobe.hpp"
+#include "numbers.hpp"
 
 namespace glint {
 namespace {
-
-/// The variables, by the number that the Verilog and the kernel know them by.
-enum class Variable { schlick = 0, symmetric = 1 };
 
 /// What a polynomial is made of, as real numbers.
 struct Polynomial {
@@ -20,20 +19,13 @@ struct Polynomial {
 
 /// The least squares fit of docs/lobes/fit_polynomial.py, rounded to four decimals: 0 at t = 0, 1 at t = 1.
 const Polynomial& shipped_polynomial() {
-    static const Polynomial polynomial{Variable::symmetric, {0.0, -0.3444, 2.8786, -1.5342}};
+    static const Polynomial polynomial{Variable::symmetric,
+                                       {polynomial_coefficients.begin(), polynomial_coefficients.end()}};
     return polynomial;
 }
 
-/// s or t, without the cancellation near c = 1.
-double variable(Variable which, double c, double n) {
-    if (c == 1.0) return 1.0;  // also for n = infinity, where n (1 - c) would be NaN
-    const double numerator = which == Variable::symmetric ? 1.0 + c : c;
-    const double factor = which == Variable::symmetric ? 2.0 : 1.0;
-    return numerator / (numerator + factor * (n * (1.0 - c)));
-}
-
 double value(const Polynomial& p, double c, double n) {
-    const double x = variable(p.variable, c, n);
+    const double x = c == 1.0 ? 1.0 : variable_value(p.variable, c, n);  // also for n = infinity
     double f = 0.0;
     for (std::size_t i = p.coefficients.size(); i-- > 0;) f = f * x + p.coefficients[i];
     return std::clamp(f, 0.0, 1.0);
@@ -49,11 +41,7 @@ Polynomial parse_polynomial(std::string_view text) {
     };
     Polynomial out{Variable::schlick, {}};
     std::string_view field = text.substr(0, text.find(':'));
-    if (field == "symmetric") {
-        out.variable = Variable::symmetric;
-    } else if (field != "schlick") {
-        throw refuse(fmt::format("variable '{}'", field));
-    }
+    out.variable = parse_variable(field);
     for (std::string_view rest = text; field.size() != rest.size();) {
         rest.remove_prefix(field.size() + 1);
         field = rest.substr(0, rest.find(':'));
@@ -262,7 +250,7 @@ error $ s in 256;
 std::vector<GeneratedFile> emit_polynomial(const Profile& profile) {
     const PolynomialFormat f = polynomial_format(profile);
     const auto text = [](auto x) { return std::to_string(x); };
-    const std::string variable = text(static_cast<int>(f.polynomial.variable));
+    const std::string variable = text(f.polynomial.variable == Variable::symmetric ? 1 : 0);
     const int width = f.K + f.I + 1;
     std::string packed;
     for (std::size_t i = f.k.size(); i-- > 0;) {

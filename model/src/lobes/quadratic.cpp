@@ -1,16 +1,15 @@
 // The lobe `quadratic`: docs/lobes/quadratic.md.
 
 #include "lobe.hpp"
+#include "numbers.hpp"
 
 namespace glint {
 namespace {
 
-constexpr double published_slope = 0.786;
-
 /// 0.786 n c^2 + (1 - 0.786 n) c in the domain, without the cancellation near c = 1.
 double quadratic(double c, double n) {
     if (c == 1.0) return 1.0;  // also for n = infinity, where n (1 - c) would be NaN
-    return c * std::max(0.0, 1.0 - published_slope * (n * (1.0 - c)));
+    return c * std::max(0.0, 1.0 - quadratic_slope * (n * (1.0 - c)));
 }
 
 double reference_quadratic(double c, double n) { return reference::with_domain(c, n, quadratic); }
@@ -54,7 +53,7 @@ QuadraticFormat quadratic_format(const Profile& profile) {
         f.K = in_range(lobe, "K", profile.custom[2], f.O, std::min(30, 52 - f.F));
         f.S = in_range(lobe, "S", profile.custom[1], f.O, std::min(30, f.F + f.K));
     }
-    f.slope = quantize_constant(published_slope, f.K);
+    f.slope = quantize_constant(quadratic_slope, f.K);
     return f;
 }
 
@@ -75,7 +74,7 @@ std::vector<GeneratedFile> emit_quadratic(const Profile& profile) {
                                     {"int S", text(f.S), "fraction bits of w"},
                                     {"int K", text(f.K), "fraction bits of the constant"},
                                     {"int O", text(f.O), "fraction bits of the output"},
-                                    {"std::int64_t slope", text(f.slope), fmt::format("{}", published_slope)}});
+                                    {"std::int64_t slope", text(f.slope), fmt::format("{}", quadratic_slope)}});
     files.push_back(gappa_script(QuadraticFormat::lobe, profile,
                                  fmt::format("F, S, K, O: {}, {}, {}, {}", f.F, f.S, f.K, f.O),
                                  fmt::format(R"(
@@ -107,7 +106,7 @@ error = (y - f) * 1b{O};
 y - f -> (y - product_y) + C * ((w - line) + (slope - slope_K) * m);
 )",
                                              fmt::arg("S", f.S), fmt::arg("K", f.K), fmt::arg("O", f.O),
-                                             fmt::arg("slope", published_slope), fmt::arg("code", f.slope))));
+                                             fmt::arg("slope", quadratic_slope), fmt::arg("code", f.slope))));
     return files;
 }
 

@@ -3,13 +3,14 @@
 #include <cmath>
 
 #include "exp_log.hpp"
+#include "numbers.hpp"
 
 namespace glint {
 namespace {
 
 double spherical_gaussian_in_domain(double c, double n) {
     if (c == 1.0) return 1.0;  // also for n = infinity, where the product would be NaN
-    return std::exp((n + 0.775) * (c - 1.0));
+    return std::exp((n + spherical_gaussian_shift) * (c - 1.0));
 }
 
 double spherical_gaussian(double c, double n) { return reference::with_domain(c, n, spherical_gaussian_in_domain); }

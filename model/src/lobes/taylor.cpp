@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "lobe.hpp"
+#include "numbers.hpp"
 
 namespace glint {
 namespace {
@@ -14,7 +15,7 @@ constexpr bool is_power(double n) { return n == 1 || n == 2 || n == 3 || n == 4 
 double taylor_in_domain(double c, double n, int a) {
     if (c == 1.0) return 1.0;  // also for n = infinity, where x would be NaN
     const double d = 1.0 - c;
-    const double x = n / a * (d + 0.625 * d * d);
+    const double x = n / a * (d + taylor_bend * d * d);
     double square = is_power(n) ? c : x < 1.0 ? 0.5 * ((1.0 - x) * (1.0 - x) + 1.0) : 0.0;
     double product = 1.0;
     for (int bits = is_power(n) ? static_cast<int>(n) : a; bits > 0; bits /= 2) {

@@ -1,0 +1,259 @@
+"""`glint report`: its page, its pictures, its data, and what it refuses. Run by cli_test.py."""
+
+import csv
+import html
+import json
+import math
+import re
+import sys
+import xml.etree.ElementTree
+
+from case import Case, ROOT
+
+
+class Report(Case):
+    """The page of results: whole, self-contained, and refused where it would say nothing."""
+
+    def results(self, **changes):
+        self.good("sweep", "--profile", "p8", "--n", "1:20", "--cos", "0:65536:16", "--json", "sweep.json")
+        results = json.loads(self.read("sweep.json"))
+        results["runs"][0].update(changes)
+        (self.folder / "sweep.json").write_text(json.dumps(results))
+
+    def test_page(self):
+        self.results()
+        self.good("report", "--results", "sweep.json", "-o", "page")
+        figures = [f"page/figures/figure-{number}.csv" for number in range(3, 9)]
+        self.equal(self.files(), [*figures, "page/index.html", "page/overview-dark.svg", "page/overview-light.svg",
+                                  "sweep.json"])
+        page = self.read("page/index.html")
+        total = json.loads(self.read("sweep.json"))["runs"][0]["accuracy"]["total"]
+        self.true(f"{total['inputs']:,}" in page, "the number of inputs is not on the page")
+        self.true(f"{total['rounding']['max_ulp']:.4f}" in page, "the rounding error is not on the page")
+        self.true("glint sweep --profile p8 --n 1:20" in re.sub("</?span>", "", page), "the command behind the figures is not on the page")
+        self.equal(re.findall(r'(?:src|href|srcset)="(?!data:|#)[^"]*"', page), [], "resources outside the page")
+        for name in ("page/overview-dark.svg", "page/overview-light.svg"):
+            xml.etree.ElementTree.fromstring(self.read(name))
+
+    def proofs(self, bound="73395e-5"):
+        """proofs.json as proofs/gappa/run.py writes it, with a program that answers as Gappa does."""
+        (self.folder / "bps.g").write_text("# lobe: bps\n# profile: p8\n{ C in [0, 1] -> error in ? }\n")
+        gappa = self.folder / "gappa"
+        gappa.write_text(f"#!/bin/sh\necho '  error in [-68e-2, {bound}]'\n")
+        gappa.chmod(0o755)
+        done = self.run_tool(ROOT / "proofs/gappa/run.py", "bps.g", "--gappa", "./gappa", "--measured", "sweep.json",
+                             "--json", "proofs.json", tool=sys.executable)
+        self.true((self.folder / "proofs.json").exists(), done.stderr)
+        return done.returncode
+
+    def section(self, name):
+        """The text of a section of the page, without the tags, and the cells of its tables, row by row."""
+        def text(html_text):
+            return html.unescape(re.sub(r"<[^>]*>", "", html_text))
+
+        section = re.search(rf'<h2 id="{name}">.*?(?=<h2|\Z)', self.read("page/index.html"), re.DOTALL)[0]
+        rows = re.findall(r"<tr>(.*?)</tr>", section)
+        return text(section), [[text(cell) for cell in re.findall(r"<t[hd].*?</t[hd]>", row)] for row in rows]
+
+    def test_proofs(self):
+        self.results()
+        self.equal(self.proofs(), 0)
+        self.good("report", "--results", "sweep.json", "--proofs", "proofs.json", "-o", "page")
+        text, (heading, row) = self.section("proven")
+        self.equal(heading, ["profile", "proven, ulp", "measured, ulp", "measured / proven", "inputs measured"])
+        total = json.loads(self.read("sweep.json"))["runs"][0]["accuracy"]["total"]
+        worst = total["rounding"]
+        place = f"n = {worst['n']}, cos {worst['cos_code'] / 65536:.6f}code {worst['cos_code']}"
+        self.equal(row, ["bps p8", "0.7340", f"{worst['max_ulp']:.4f}{place}", f"{worst['max_ulp'] / 0.73395:.3f}",
+                         f"{total['inputs']:,}"])
+        self.true("[2]" in text, "no reference to the command that proved it")
+        self.true("run.py bps.g --gappa ./gappa --measured sweep.json" in self.section("commands")[0], "nor the command")
+        self.equal(self.read("page/index.html").count('class="bad"'), 0)
+
+    def test_proofs_of_all_inputs(self):
+        self.results(exhaustive=True)
+        self.proofs()
+        self.good("report", "--results", "sweep.json", "--proofs", "proofs.json", "-o", "page")
+        self.matches(self.section("proven")[1][1][-1], r"\A[\d,]+every legal one\Z")
+
+    def test_no_proofs(self):
+        self.results()
+        self.good("report", "--results", "sweep.json", "-o", "page")
+        text, rows = self.section("proven")
+        self.equal(rows, [])
+        self.true("proofs/gappa/run.py" in text and "--proofs" in text, f"how to get the table: {text}")
+
+    def test_proofs_that_failed(self):
+        """What failed stands on the page; so does a bound that the results of the page exceed."""
+        self.results()
+        self.equal(self.proofs("1001e-3"), 1)
+        self.good("report", "--results", "sweep.json", "--proofs", "proofs.json", "-o", "page")
+        self.matches(self.section("proven")[0], r"\nbps p8: proven bound 1\.0010 ulp is not below 1\n")
+        proofs = json.loads(self.read("proofs.json"))
+        del proofs["proofs"][0]["proven_ulp"], proofs["proofs"][0]["measured_ulp"]
+        (self.folder / "proofs.json").write_text(json.dumps(proofs))
+        self.good("report", "--results", "sweep.json", "--proofs", "proofs.json", "-o", "page")
+        self.equal(self.section("proven")[1][1], ["bps p8", *"––––"])
+        self.proofs("5e-1")
+        proofs = json.loads(self.read("proofs.json"))
+        proofs["proofs"][0].update(proven_ulp=0.5, ok=True, failures=[])
+        (self.folder / "proofs.json").write_text(json.dumps(proofs))
+        self.good("report", "--results", "sweep.json", "--proofs", "proofs.json", "-o", "page")
+        self.matches(self.section("proven")[0], r"bps p8: the rounding error of the results, 0\.\d+ ulp, is above")
+
+    def test_hard_cases(self):
+        """Each row that `glint cases` prints for the lobe and for the streams, cell by cell, and its explanation."""
+        self.results()
+        self.good("report", "--results", "sweep.json", "-o", "page")
+        text, rows = self.section("hard-cases")
+        cases = self.good("cases")
+        parts = re.split(r"^## ", cases, flags=re.MULTILINE)
+        wanted = [part for part in parts[1:] if part.startswith(("bps\n", "Streams\n"))]
+        self.equal(len(wanted), 2)
+        lines = [line for part in wanted for line in part.splitlines() if line.startswith("| ")]
+        self.true(len(lines) >= 20, f"{len(lines)} rows")
+        self.equal(rows, [line[2:-2].split(" | ") for line in lines])
+        legend = parts[0][parts[0].index("For each"):].replace("`", "").strip()
+        self.true(legend in text, f"{legend} is not in {text[:400]}")
+
+    PAPER = ("schlick", "cosine_power", "quadratic", "cubic", "bps")
+
+    def lobe_names(self):
+        return re.findall(r"^GLINT_LOBE\((\w+)\)$", (ROOT / "model/include/glint/lobes.def").read_text(), re.MULTILINE)
+
+    def figure(self, number):
+        with open(self.folder / f"page/figures/figure-{number}.csv", newline="") as file:
+            heading, *rows = csv.reader(file)
+        return heading, [[float(cell) for cell in row] for row in rows]
+
+    def cells(self, name):
+        """The rows of the tables of a section as dictionaries, with the text of each cell up to its first small print."""
+        section = re.search(rf'<h2 id="{name}">.*?(?=<h2|\Z)', self.read("page/index.html"), re.DOTALL)[0]
+        out = []
+        for table in re.findall(r"<table>.*?</table>", section, re.DOTALL):
+            heading = [html.unescape(cell) for cell in re.findall(r'<th scope="col"[^>]*>(.*?)</th>', table)]
+            for row in re.findall(r'<tr>(<th scope="row".*?)</tr>', table):
+                texts = [re.split("<small>", cell)[0] for cell in re.findall(r"<t[hd].*?</t[hd]>", row)]
+                self.equal(len(texts), len(heading))
+                out.append({label: html.unescape(re.sub("<[^>]*>", "", text)).replace("\xa0", " ")
+                            for label, text in zip(heading, texts)})
+        return out
+
+    def test_paper_figures(self):
+        """The figures of the paper as CSV: whole, and the same numbers as on the page."""
+        self.results()
+        self.good("report", "--results", "sweep.json", "-o", "page")
+        heading, rows = self.figure(3)
+        self.equal((heading, len(rows)), (["theta_rad", "f_bps", "f_s", "f_b"], 9001))
+        self.equal(rows[0], [0, 0.992737, 1, 1])
+        self.near(rows[-1][0], math.pi / 2, 1e-6)
+        for theta, _, schlick, blinn_phong in rows[::500]:
+            self.near(blinn_phong, max(0.0, math.cos(theta)) ** 50, 1e-5)
+            self.near(schlick, math.cos(theta) / (50 - 49 * math.cos(theta)), 1e-5)
+        for number, name, first, (least, most) in ((4, "f_bps", 1, (0, 0.9928)), (6, "delta_bps_percent", 8, (0, 3)),
+                                                   (8, "Delta_bps", 8, (0, 0.03))):
+            heading, rows = self.figure(number)
+            self.equal((heading, len(rows)), (["n", "theta_rad", name], 240 * 160))
+            self.equal((rows[0][0], rows[-1][0]), (first, 1000))
+            self.true(all(least <= row[2] <= most for row in rows), f"figure {number}: a value is out of range")
+            self.true(max(row[2] for row in rows) > 0.9 * most, f"figure {number}: all values are small")
+        lobes = self.lobe_names()
+        order = [*self.PAPER, *sorted(set(lobes) - set(self.PAPER))]
+        claims = self.cells("paper")
+        for number, symbol, prefix, suffix in ((5, "δ", "delta_", "_percent"), (7, "Δ", "Delta_", "")):
+            heading, rows = self.figure(number)
+            self.equal(heading, ["n", *(prefix + lobe + suffix for lobe in order)])
+            self.equal([row[0] for row in rows], list(range(8, 1001)))
+            for column, lobe in enumerate(order, 1):
+                errors = sorted(row[column] for row in rows)
+                if errors[-1] < 1e-9:  # c^n itself
+                    continue
+                found = [claim for claim in claims if (claim["lobe"], claim["error"]) == (lobe, symbol)]
+                self.true(found, f"{lobe}: no row for {symbol}")
+                self.near(float(found[0]["largest"].split()[0]), errors[-1], 0.0006 if suffix else 0.000006)
+                self.near(float(found[0]["median"].split()[0]), errors[len(errors) // 2], 0.0006 if suffix else 0.000006)
+                self.near(errors[-1], next(row[column] for row in rows if row[0] == int(found[0]["at n"])), 1e-9)
+
+    def test_paper_claims(self):
+        """What the paper prints, beside what is measured; each difference over 5 % has its reason."""
+        self.results()
+        self.good("report", "--results", "sweep.json", "-o", "page")
+        claims = [claim for claim in self.cells("paper") if claim["printed"] != "–"]
+        self.equal([(claim["lobe"], claim["printed"]) for claim in claims],
+                   [("schlick", "11 %"), ("cosine_power", "1.8 %"), ("quadratic", "3 %"), ("cubic", "3 %"), ("bps", "1.1 %"),
+                    ("bps", "1.05 %"), ("bps", "0.02")])
+        for claim in claims:
+            printed = float(claim["printed"].split()[0])
+            measured = [float(claim[label].split()[0]) for label in ("largest", "median")]
+            difference = float(claim["difference"].split()[0])
+            self.true(any(abs(100 * (value / printed - 1) - difference) < 0.2 for value in measured),
+                      f"{claim}: the difference is that of no value")
+            self.equal(claim["remark"].startswith("Agrees"), abs(difference) <= 5)
+            self.true("Not explained" not in claim["remark"], f"{claim}")
+        costs = self.cells("costs")
+        self.equal([(row["operations, printed"], row["cycles, printed"]) for row in costs if row["cycles, printed"] != "–"],
+                   [("1 1 2 0 0", "15"), ("4 1 0 2 0", "24"), ("4 0 2 0 1", "15"), ("5 1 2 0 0", "27"), ("4 1 4 1 1", "28")])
+        for row in costs:
+            times = [float(row[label]) for label in ("independent, ns", "dependent, ns")]
+            self.true(0 < times[0] and 0 < times[1] < 1e5, f"{row}")
+            self.true(row["cycles, Zen 4 double"] == "–" or int(row["cycles, Zen 4 double"]) > int(row["cycles, same sum"]),
+                      f"{row}")
+
+    def test_choosing(self):
+        """The engineer's table has every lobe, from the least to the largest error; then the small exponents."""
+        self.results()
+        self.good("report", "--results", "sweep.json", "-o", "page")
+        rows = self.cells("choosing")
+        lobes = [row for row in rows if "lobe" in row]
+        self.equal(sorted(row["lobe"] for row in lobes), sorted(self.lobe_names()))
+        errors = [float(row["Δ, n from 8"]) for row in lobes]
+        self.equal(errors, sorted(errors))
+        bps = next(row for row in lobes if row["lobe"] == "bps")
+        self.equal((bps["at c = 1"], bps["at c = 0"]), ("0.9927", "0.0027"))
+        small = [row for row in rows if "n" in row]
+        self.equal([row["n"] for row in small], [str(n) for n in range(1, 9)])
+        self.equal(small[0]["Δ of bps"], bps["Δ, n below 8"])
+        text = self.section("choosing")[0]
+        self.true("0.9927" in text and "0.0027" in text and small[0]["Δ of bps"][:6] in text, text[:1500])
+
+    def test_refused_proofs(self):
+        def refused(pattern):
+            self.refused(pattern, "report", "--results", "sweep.json", "--proofs", "proofs.json", "-o", "page")
+
+        self.results()
+        refused(r"proofs file 'proofs\.json' cannot be read")
+        (self.folder / "proofs.json").write_text("{")
+        refused(r"proofs file 'proofs\.json' is not JSON")
+        (self.folder / "proofs.json").write_text("[]")
+        refused(r"proofs file 'proofs\.json' is not a JSON object")
+        (self.folder / "proofs.json").write_text(self.read("sweep.json"))
+        refused("proofs is missing")
+        self.proofs()
+        good = self.read("proofs.json")
+        for key, value, pattern in (("proven_ulp", -1, r"proofs\[0\]\.proven_ulp -1 is not legal: a number, 0 or more"),
+                                    ("proven_ulp", None, r"proven_ulp null is not legal"),
+                                    ("profile", "<p8>", r"profile \"<p8>\" is not legal"),
+                                    ("measured_inputs", 0, "measured_inputs 0 is not legal"),
+                                    ("ok", False, "ok false is not legal"),
+                                    ("failures", [1], r"failures \[1\] is not legal: a list of texts")):
+            proofs = json.loads(good)
+            proofs["proofs"][0][key] = value
+            (self.folder / "proofs.json").write_text(json.dumps(proofs))
+            refused(pattern)
+        proofs["proofs"] = []
+        (self.folder / "proofs.json").write_text(json.dumps(proofs))
+        refused("holds no proofs")
+        self.equal([name for name in self.files() if name.startswith("page")], [], "a page was left behind")
+
+    def test_refused(self):
+        self.results(lobe="none")
+        self.refused(r"runs\[0\]\.lobe \"none\" is not legal", "report", "--results", "sweep.json", "-o", "page")
+        self.refused("missing.json", "report", "--results", "missing.json", "-o", "page")
+        (self.folder / "broken.json").write_text("{")
+        self.refused("broken.json", "report", "--results", "broken.json", "-o", "page")
+        self.results(inputs=0)
+        self.refused("inputs", "report", "--results", "sweep.json", "-o", "page")
+        self.results()
+        (self.folder / "empty").mkdir()
+        self.refused("gnuplot", "report", "--results", "sweep.json", "-o", "page", env={"PATH": str(self.folder / "empty")})
+        self.equal([name for name in self.files() if name.startswith("page")], [], "a page was left behind")
