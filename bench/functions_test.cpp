@@ -108,6 +108,30 @@ TEST_CASE("bench: the vector functions of the C library have the values of their
 }
 #endif
 
+TEST_CASE("bench: what cancels in float, and what does not") {
+    const Grid grid;
+    const Inputs<float> in(grid.c, grid.n);
+    const auto error = [&](std::string_view name) {
+        double worst = 0.0;
+        for (const Function<float>& function : scalar_functions<float>()) {
+            if (function.name != name) continue;
+            const std::vector<float> y = values(function, in);
+            for (std::size_t i = 0; i < y.size(); ++i) {
+                const double exact = find_lobe(function.lobe).reference(grid.c[i], grid.n[i]);
+                worst = std::max(worst, std::abs(y[i] - exact));
+            }
+        }
+        return worst;
+    };
+    // Coefficients of 4e5 that cancel to 1: the lobe of the paper that float cannot evaluate.
+    CHECK(error("cubic") > 1e-3);
+    CHECK(error("cubic_horner") > 1e-3);
+    // n - n c + c with n = 1000, against n (1 - c), where 1 - c is exact.
+    CHECK(error("bps") > 1e-6);
+    CHECK(error("bps") < 1e-4);
+    CHECK(error("polynomial") < 1e-6);
+}
+
 TEST_CASE("bench: in a chain every result reaches the next cosine") {
     check_chains<double>();
     check_chains<float>();
