@@ -16,7 +16,7 @@ void add_report(CLI::App& app, Chosen& chosen) {
     command->add_option("-o,--output", options->output, "Folder for index.html, figures/*.csv and the pictures")
         ->capture_default_str();
     command->footer(
-        "Example: glint report --results build/cosim.json --proofs build/proofs.json --cpu cost/cpu.json -o report");
+        "Example: glint report --results cosim.json --proofs proofs.json --cpu cost/cpu.json -o report");
     command->callback([=, &chosen] { chosen.run = [=] { return report(*options); }; });
 }
 
