@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "glint/architecture.hpp"
 #include "glint/emit.hpp"
 #include "glint/golden.hpp"
 #include "glint/hard_cases.hpp"
@@ -24,6 +25,7 @@ struct Lobe {
     std::vector<GeneratedFile> (*emit)(const Profile&);
     std::vector<HardCase> (*hard_cases)(const GoldenModel&);
     std::string_view options = {};  ///< what may follow the name after a ':'; empty: nothing
+    bool divider = false;           ///< its unit divides: the divider can be chosen
 };
 
 /// All lobes, in the order of lobes.def.

@@ -233,11 +233,15 @@ std::vector<HardCase> cayley_hard_cases(const GoldenModel& model) {
 Lobe cayley_lobe();
 
 Lobe cayley_lobe() {
-    return {
-        "cayley",         "(max(0, 16 c - 15/16 m d) / (16 + 273/256 m d))^8, m = n - 8, d = 1 - c; c^n for n = 1 .. 6",
-        "F,a,S,O",        cayley_reference,
-        make_cayley,      emit_cayley,
-        cayley_hard_cases};
+    return {"cayley",
+            "(max(0, 16 c - 15/16 m d) / (16 + 273/256 m d))^8, m = n - 8, d = 1 - c; c^n for n = 1 .. 6",
+            "F,a,S,O",
+            cayley_reference,
+            make_cayley,
+            emit_cayley,
+            cayley_hard_cases,
+            {},
+            true};
 }
 
 }  // namespace glint

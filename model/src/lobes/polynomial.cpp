@@ -323,7 +323,8 @@ Lobe polynomial_lobe() {
             make_polynomial,
             emit_polynomial,
             polynomial_hard_cases,
-            "VARIABLE:k0:k1:..."};
+            "VARIABLE:k0:k1:...",
+            true};
 }
 
 }  // namespace glint

@@ -1,0 +1,42 @@
+#include <algorithm>
+
+#include "catch.hpp"
+#include "glint/error.hpp"
+#include "glint/lobes.hpp"
+
+using namespace glint;
+
+TEST_CASE("an architecture is a divider, rows in a clock, clocks of a product; the name leaves out the defaults") {
+    const Lobe& bps = find_lobe("bps");
+    const auto parameters = [](int divider, int rows, int stages) {
+        return std::vector<std::pair<std::string, int>>{
+            {"DIVIDER", divider}, {"REGISTER_EVERY", rows}, {"MULTIPLIER_STAGES", stages}};
+    };
+    CHECK(default_architecture(bps) == Architecture{"restoring", parameters(0, 1, 1)});
+    CHECK(parse_architecture(bps, "restoring:r1:m1") == default_architecture(bps));
+    CHECK(parse_architecture(bps, "radix4:r32:m4") == Architecture{"radix4:r32:m4", parameters(1, 32, 4)});
+    CHECK(parse_architecture(bps, "restoring:m3") == Architecture{"restoring:m3", parameters(0, 1, 3)});
+    CHECK(parse_architecture(bps, "iterative:m2") == Architecture{"iterative:m2", parameters(2, 1, 2)});
+    CHECK(parse_architecture(bps, "reciprocal") == Architecture{"reciprocal", parameters(3, 1, 1)});
+
+    const Lobe& taylor = find_lobe("taylor");
+    CHECK(default_architecture(taylor) == Architecture{"pipelined", {{"MULTIPLIER_STAGES", 1}}});
+    CHECK(parse_architecture(taylor, "pipelined:m2") == Architecture{"pipelined:m2", {{"MULTIPLIER_STAGES", 2}}});
+}
+
+TEST_CASE("an architecture that is not legal is refused, with what is") {
+    const Lobe& bps = find_lobe("bps");
+    for (const char* text : {"", ":", "pipelined", "radix8", "restoring:", "restoring:r", "restoring:r0", "radix4:r33",
+                             "restoring:m0", "restoring:m5", "restoring:m2:r2", "restoring:r2:r2", "restoring:r2x",
+                             "iterative:r2", "reciprocal:r1", "restoring:m-1", "restoring:m99999999999", "Radix4"}) {
+        CAPTURE(text);
+        CHECK_THROWS_AS(parse_architecture(bps, text), Error);
+    }
+    for (const char* text : {"", "restoring", "pipelined:r2", "pipelined:m5", "pipelined:"}) {
+        CAPTURE(text);
+        CHECK_THROWS_AS(parse_architecture(find_lobe("taylor"), text), Error);
+    }
+    CHECK_THROWS_WITH(parse_architecture(bps, "radix8"),
+                      "architecture 'radix8' is not legal for bps: restoring[:rN][:mN], radix4[:rN][:mN], "
+                      "iterative[:mN], reciprocal[:mN], N of r 1 to 32, N of m 1 to 4");
+}
