@@ -167,13 +167,13 @@ r4 * r4 - s4 * s4 -> (r4 - s4) * (r4 + s4);
                        fmt::arg("F", f.F), fmt::arg("S", f.S), fmt::arg("O", f.O), fmt::arg("tail", 8 * (f.F + 3)));
 }
 
-std::vector<GeneratedFile> emit_cayley(const Profile& profile) {
+std::vector<GeneratedFile> emit_cayley(const Profile& profile, const Architecture& architecture) {
     const CayleyFormat f = cayley_format(profile);
     const std::vector<Constant> parameters{{"F", std::to_string(f.F), ""},
                                            {"A", std::to_string(f.a), ""},
                                            {"S", std::to_string(f.S), ""},
                                            {"O", std::to_string(f.O), ""}};
-    auto files = generated_sources("cayley", profile, parameters,
+    auto files = generated_sources("cayley", profile, architecture, parameters,
                                    {{"int F", std::to_string(f.F), "fraction bits of the cosine"},
                                     {"int A", std::to_string(f.a), "0: the lobe; else the power of the plain formula"},
                                     {"int S", std::to_string(f.S), "fraction bits of the base and its powers"},

@@ -40,9 +40,9 @@ std::unique_ptr<GoldenModel> make_schlick(const Profile& profile) {
     return std::make_unique<PlainModel<SchlickFormat>>(profile, schlick_format(profile));
 }
 
-std::vector<GeneratedFile> emit_schlick(const Profile& profile) {
+std::vector<GeneratedFile> emit_schlick(const Profile& profile, const Architecture& architecture) {
     const SchlickFormat f = schlick_format(profile);
-    auto files = generated_sources("schlick", profile,
+    auto files = generated_sources("schlick", profile, architecture,
                                    {{"F", std::to_string(f.F), ""}, {"O", std::to_string(f.O), ""}},
                                    {{"int F", std::to_string(f.F), "fraction bits of the cosine"},
                                     {"int O", std::to_string(f.O), "fraction bits of the output"}});
