@@ -29,7 +29,7 @@ module glint_divider_reciprocal #(
     localparam ROUNDS = (Q_W + 15) / 16;
     localparam K      = (Q_W + ROUNDS - 1) / ROUNDS;  // quotient bits of a round
     localparam T      = K > 2 ? (K - 1) / 2 : 1;      // address bits of the table
-    localparam W      = T + 3;                        // bits of the divisor after those
+    localparam W      = T + 5;                        // bits of the divisor after those
     localparam V      = T + 5;                        // fraction bits of the slope
     localparam G      = K + 2;                        // fraction bits of the reciprocal
     localparam U      = G + 4;                        // fraction bits of the line before it is cut

@@ -3,8 +3,8 @@
 
 For a divisor 1 <= D < 2, a reciprocal r and an x of K + 2 bits that stands for X' < 2^K D with one fraction bit, the
 quotient X' / D is never below x r and less than 2 above it: so the estimate floor(x r) is 0, 1 or 2 too small. In exact
-integers: r is the same for all D of an interval, and X' / D - x r is below 2^K (1 - D r) + r / 2, which is largest at the
-upper end.
+integers: r is the same for all D of an interval, D r is at most 1 even at its upper end, and X' / D - x r is below
+2^K (1 - D r) + r / 2, which is largest at the lower end.
 """
 
 import re
@@ -34,10 +34,10 @@ def largest_gap(K):
         offset = ((middle + 1) << (U + T + 1)) // square - ((slope + (1 << DROP) - 1) >> DROP) - 1
         for part in range(1 << W):
             r = (offset - (slope * part >> DROP)) >> (U - G)
-            end = (1 << (T + W)) + (address << W) + part + 1  # the upper end of D, in units of 2^-(T + W)
-            if not 0 <= r < 1 << G or r * end > 1 << (G + T + W):
+            low = (1 << (T + W)) + (address << W) + part  # the lower end of D, in units of 2^-(T + W)
+            if not 0 <= r < 1 << G or r * (low + 1) > 1 << (G + T + W):
                 raise ValueError(f"K {K}, address {address}, part {part}: reciprocal {r} is too large")
-            worst = max(worst, (((1 << (G + T + W)) - r * end) << (K + 1)) + (r << (T + W)))
+            worst = max(worst, (((1 << (G + T + W)) - r * low) << (K + 1)) + (r << (T + W)))
             count += 1
     return worst, 1 << (G + T + W + 1), count
 
