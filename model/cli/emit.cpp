@@ -13,6 +13,7 @@ namespace {
 struct Options {
     std::string lobe = "bps";
     std::string profile = "p12";
+    std::string architecture;
     std::string target = "all";
     std::string folder = ".";
 };
@@ -44,9 +45,11 @@ int run_emit(const Options& options) {
     make_folder(options.folder);
     const LobeChoice choice = parse_lobe(options.lobe);
     const Lobe& lobe = *choice.lobe;
+    const Architecture architecture =
+        options.architecture.empty() ? default_architecture(lobe) : parse_architecture(lobe, options.architecture);
     for (const std::string& text : split_profiles(options.profile)) {
         const Profile profile = choice.profile(text);
-        for (const GeneratedFile& file : lobe.emit(profile)) {
+        for (const GeneratedFile& file : lobe.emit(profile, architecture)) {
             if (options.target != "all" && options.target != name(file.target)) continue;
             const std::filesystem::path path = std::filesystem::path(options.folder) / file.name;
             write_file(path, file.text);
@@ -68,6 +71,9 @@ void add_emit(CLI::App& app, Chosen& chosen) {
         ->capture_default_str();
     command->add_option("--profile", options->profile, "Profiles: p8, p12, p16 or the lobe's F,..,O")
         ->capture_default_str();
+    command->add_option("--architecture", options->architecture,
+                        "Default parameters of the Verilog: restoring, radix4, iterative or reciprocal, then :rN, :mN; "
+                        "without a divider pipelined[:mN] (docs/rtl.md)");
     command->add_option("--target", options->target, "verilog, hls, proof or all")->capture_default_str();
     command->add_option("-o,--output", options->folder, "Folder")->capture_default_str();
     command->footer("Example: glint emit --lobe bps --profile 18,14,14,12 -o out");
