@@ -23,7 +23,7 @@ struct EffectPort {
     enum class Kind { dot, parameter, colour, term };
     std::string_view name;
     Kind kind = Kind::dot;
-    int bits = 0;            ///< width, the sign included; at most 32
+    int bits = 0;            ///< width, the sign included; at most 32, without a sign at most 31
     bool is_signed = false;  ///< two's complement
     int fraction_bits = 0;   ///< value = code / 2^fraction_bits
     std::int64_t low = 0;    ///< legal codes; what lies outside is corrected as the contract says, and raises `clamped`
