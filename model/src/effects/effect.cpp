@@ -36,7 +36,8 @@ void check_output_bits(std::string_view effect, const Profile& profile, int grea
     }
 }
 
-GeneratedFile effect_module(const EffectModel& model, std::string_view lobe, std::string_view body) {
+GeneratedFile effect_module(const EffectModel& model, std::string_view lobe, std::string_view body,
+                            std::string_view modules) {
     const Profile& profile = model.profile();
     const std::string module =
         fmt::format("glint_effect_{}_{}{}{}", model.effect(), lobe, lobe.empty() ? "" : "_", profile.name);
@@ -74,13 +75,14 @@ module {0} #(
 
 {5}
 endmodule
-
+{6}
 `default_nettype wire
 )",
-                        module, model.effect(), profile.argument(), choice, ports, body)};
+                        module, model.effect(), profile.argument(), choice, ports, body, modules)};
 }
 
-GeneratedFile effect_wrapper(const EffectModel& model, const std::vector<Constant>& parameters) {
+GeneratedFile effect_wrapper(const EffectModel& model, const std::vector<Constant>& parameters,
+                             const std::vector<Table>& tables) {
     std::vector<std::string> names{"clk_i", "rst_ni", "valid_i", "ready_o"};
     for (const EffectPort& port : model.inputs()) names.push_back(fmt::format("{}_i", port.name));
     names.insert(names.end(), {"tag_i", "valid_o", "ready_i"});
@@ -98,9 +100,12 @@ GeneratedFile effect_wrapper(const EffectModel& model, const std::vector<Constan
     for (const std::string& name : names) {
         connections += fmt::format("{}        .{:{}}({})", connections.empty() ? "" : ",\n", name, name_width, name);
     }
-    return effect_module(
-        model, "",
-        fmt::format("    glint_effect_{} #(\n{}    ) core (\n{}\n    );\n", model.effect(), values, connections));
+    const TableText beside =
+        tables_beside(fmt::format("glint_effect_{}_{}", model.effect(), model.profile().name), tables);
+    return effect_module(model, "",
+                         fmt::format("{}    glint_effect_{} #(\n{}    ) core (\n{}{}\n    );\n{}", beside.wires,
+                                     model.effect(), values, connections, beside.ports, beside.instances),
+                         beside.modules);
 }
 
 std::vector<EffectCase> common_effect_cases(const EffectModel& model) {
