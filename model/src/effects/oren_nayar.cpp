@@ -89,10 +89,8 @@ std::vector<GeneratedFile> emit_oren_nayar(const Profile& profile, std::string_v
     const OrenNayar model(profile);
     const auto text = [](int value) { return std::to_string(value); };
     return {effect_wrapper(model, {{"F", text(profile.F), ""}, {"O", text(profile.O), ""}}),
-            kernel_constants("glint_effect_oren_nayar", profile, "--effect oren_nayar", "docs/effects/oren_nayar.md",
-                             {{"int F", text(profile.F), "fraction bits of the dot products"},
-                              {"int O", text(profile.O), "fraction bits of the output"}},
-                             {})};
+            effect_constants(model, {{"int F", text(profile.F), "fraction bits of the dot products"},
+                                     {"int O", text(profile.O), "fraction bits of the output"}})};
 }
 
 std::vector<EffectCase> oren_nayar_cases(const EffectModel& model) {

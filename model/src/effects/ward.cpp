@@ -149,14 +149,20 @@ std::unique_ptr<EffectModel> make_ward(const Profile& profile, std::string_view)
     return std::make_unique<Ward>(profile);
 }
 
+/// The unit has a memory for each of the two logarithms.
+Table named(std::string_view name, Table table) {
+    table.name = name;
+    return table;
+}
+
 std::vector<GeneratedFile> emit_ward(const Profile& profile, std::string_view) {
     const Ward model(profile);
     const WardFormat& f = model.format();
     const auto text = [](int value) { return std::to_string(value); };
     return {
         effect_wrapper(model, {{"F", text(f.F), ""}, {"T", text(f.T), ""}, {"E", text(f.E), ""}, {"O", text(f.O), ""}},
-                       {f.log2.table(), f.exp2.table()}),
-        kernel_constants("glint_effect_ward", profile, "--effect ward", "docs/effects/ward.md",
+                       {named("log2_nl", f.log2.table()), named("log2_nv", f.log2.table()), f.exp2.table()}),
+        effect_constants(model,
                          {{"int F", text(f.F), "fraction bits of the dot products"},
                           {"int T", text(f.T), "address bits of log2"},
                           {"int L", text(f.L), "fraction bits of log2"},
