@@ -67,6 +67,36 @@ endmodule
                        module, module, address_bits(table) - 1, entry_bits(table) - 1, rows);
 }
 
+}  // namespace
+
+TableText table_text(const std::string& module, const std::vector<Table>& tables) {
+    TableText out;
+    auto& [wires, ports, instances, roms] = out;
+    for (const Table& table : tables) {
+        const std::string& n = table.name;
+        wires += fmt::format("    wire [{}:0] {}_address;\n    wire [{}:0] {}_entry;\n", address_bits(table) - 1, n,
+                             entry_bits(table) - 1, n);
+        ports += fmt::format(",\n        .{0}_address_o({0}_address),\n        .{0}_entry_i({0}_entry)", n);
+        instances += fmt::format(R"(
+    {0}_{1} {1} (
+        .clk_i    (clk_i),
+        .enable_i (table_enable),
+        .address_i({1}_address),
+        .entry_o  ({1}_entry)
+    );
+)",
+                                 module, n);
+        roms += rom(fmt::format("{}_{}", module, n), table);
+    }
+    if (!tables.empty()) {
+        wires = "    wire table_enable;\n" + wires + '\n';
+        ports = ",\n        .table_enable_o(table_enable)" + ports;
+    }
+    return out;
+}
+
+namespace {
+
 GeneratedFile core(std::string_view lobe, const Profile& profile, const std::vector<Constant>& parameters,
                    const std::vector<Table>& tables) {
     std::size_t width = 0;
@@ -74,7 +104,7 @@ GeneratedFile core(std::string_view lobe, const Profile& profile, const std::vec
     std::string assignments;
     for (const Constant& p : parameters) assignments += fmt::format("        .{:{}}({}),\n", p.name, width, p.value);
     const std::string module = fmt::format("glint_{}_{}", lobe, profile.name);
-    const TableText beside = tables_beside(module, tables);
+    const auto [wires, ports, instances, roms] = table_text(module, tables);
     return {GeneratedFile::Target::verilog, module + ".v",
             header(lobe, profile, module, fmt::format("the unit glint_{}", lobe)) +
                 fmt::format(R"(
@@ -118,8 +148,7 @@ endmodule
 {}
 `default_nettype wire
 )",
-                            module, profile.F + 1, profile.O, beside.wires, lobe, assignments, beside.ports,
-                            beside.instances, beside.modules)};
+                            module, profile.F + 1, profile.O, wires, lobe, assignments, ports, instances, roms)};
 }
 
 GeneratedFile axis(std::string_view lobe, const Profile& profile) {
@@ -207,35 +236,9 @@ endmodule
 
 }  // namespace
 
-TableText tables_beside(const std::string& module, const std::vector<Table>& tables) {
-    TableText text;
-    for (const Table& table : tables) {
-        const std::string& n = table.name;
-        text.wires += fmt::format("    wire [{}:0] {}_address;\n    wire [{}:0] {}_entry;\n", address_bits(table) - 1,
-                                  n, entry_bits(table) - 1, n);
-        text.ports += fmt::format(",\n        .{0}_address_o({0}_address),\n        .{0}_entry_i({0}_entry)", n);
-        text.instances += fmt::format(R"(
-    {0}_{1} {1} (
-        .clk_i    (clk_i),
-        .enable_i (table_enable),
-        .address_i({1}_address),
-        .entry_o  ({1}_entry)
-    );
-)",
-                                      module, n);
-        text.modules += rom(fmt::format("{}_{}", module, n), table);
-    }
-    if (!tables.empty()) {
-        text.wires = "    wire table_enable;\n" + text.wires + '\n';
-        text.ports = ",\n        .table_enable_o(table_enable)" + text.ports;
-    }
-    return text;
-}
-
-GeneratedFile kernel_constants(const std::string& unit, const Profile& profile, std::string_view command,
-                               std::string_view document, const std::vector<Constant>& constants,
+GeneratedFile constants_header(const HeaderNames& names, const Profile& profile, const std::vector<Constant>& constants,
                                const std::vector<Table>& tables) {
-    const std::string name = fmt::format("{}_{}_constants", unit, profile.name);
+    const std::string name = fmt::format("{}_{}_constants", names.module, profile.name);
     std::string members;
     for (const Constant& c : constants) {
         members += fmt::format("    static constexpr {} = {};{}\n", c.name, c.value,
@@ -267,8 +270,19 @@ struct {0} {{
 
 #endif
 )",
-                        name, profile.argument(), upper(name) + "_HPP", command, members, document)};
+                        name, profile.argument(), upper(name) + "_HPP", names.command, members, names.document)};
 }
+
+namespace {
+
+GeneratedFile kernel(std::string_view lobe, const Profile& profile, const std::vector<Constant>& constants,
+                     const std::vector<Table>& tables) {
+    return constants_header({fmt::format("glint_{}", lobe), fmt::format("--lobe {}{}", lobe, options(profile)),
+                             lobe == "bps" ? "docs/contract.md, section `bps`" : fmt::format("docs/lobes/{}.md", lobe)},
+                            profile, constants, tables);
+}
+
+}  // namespace
 
 int in_range(std::string_view lobe, std::string_view what, int value, int low, int high) {
     if (value < low || value > high) {
@@ -295,11 +309,7 @@ std::vector<GeneratedFile> generated_sources(std::string_view lobe, const Profil
                                              const std::vector<Constant>& parameters,
                                              const std::vector<Constant>& hls_constants,
                                              const std::vector<Table>& tables) {
-    const std::string document =
-        lobe == "bps" ? "docs/contract.md, section `bps`" : fmt::format("docs/lobes/{}.md", lobe);
-    return {core(lobe, profile, parameters, tables), axis(lobe, profile),
-            kernel_constants(fmt::format("glint_{}", lobe), profile, fmt::format("--lobe {}{}", lobe, options(profile)),
-                             document, hls_constants, tables)};
+    return {core(lobe, profile, parameters, tables), axis(lobe, profile), kernel(lobe, profile, hls_constants, tables)};
 }
 
 GeneratedFile gappa_script(std::string_view lobe, const Profile& profile, std::string_view format,

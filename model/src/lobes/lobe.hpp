@@ -95,17 +95,19 @@ struct Table {
     std::vector<std::vector<std::int64_t>> rows;  ///< 2^k of them, each with a value per field
 };
 
-/// What puts tables beside a unit inside its wrapper: wires, connections of the unit, instances of the memories, and
-/// their modules, <module>_<table name>, to follow that of the wrapper. Empty texts without tables.
+/// What tables add to the module of a generated wrapper: its wires, the connections of the unit inside (each with a
+/// comma before it), the memories' instances, and the memories' modules.
 struct TableText {
-    std::string wires, ports, instances, modules;
+    std::string wires, ports, instances, roms;
 };
-TableText tables_beside(const std::string& module, const std::vector<Table>& tables);
+TableText table_text(const std::string& module, const std::vector<Table>& tables);
 
-/// The HLS header <unit>_<profile>_constants.hpp with the struct of that name. `command` are the arguments of
-/// `glint emit` that make it, but for the profile.
-GeneratedFile kernel_constants(const std::string& unit, const Profile& profile, std::string_view command,
-                               std::string_view document, const std::vector<Constant>& constants,
+/// An HLS header of constants <module>_<profile>_constants.hpp: the arguments of `glint emit` that write it, and the
+/// document that says what they mean.
+struct HeaderNames {
+    std::string module, command, document;
+};
+GeneratedFile constants_header(const HeaderNames& names, const Profile& profile, const std::vector<Constant>& constants,
                                const std::vector<Table>& tables);
 
 /// A signed Verilog literal of `width` bits. Legal: |value| < 2^(width - 1).
