@@ -170,9 +170,11 @@ std::unique_ptr<EffectModel> make(const Profile& profile, std::string_view) {
 std::vector<GeneratedFile> emit(const Profile& profile, std::string_view) {
     const CookTorrance model(profile);
     const Format& f = model.format();
-    const auto text = [](int value) { return std::to_string(value); };
-    return {effect_wrapper(model, {{"F", text(f.F), ""}, {"O", text(f.O), ""}},
-                           {f.attenuation.log2.table(), f.power.exp2.table()})};
+    std::vector<Table> memories = microfacets::memories(f.attenuation, f.power);
+    memories.insert(memories.begin() + 4, f.log2_q.table("log2_q"));
+    return {effect_wrapper(model, microfacets::parameters(profile, f.w), memories),
+            effect_constants(model, microfacets::constants(profile, f.w),
+                             {f.attenuation.log2.table(), f.power.exp2.table()})};
 }
 
 std::vector<EffectCase> cases(const EffectModel& model) {

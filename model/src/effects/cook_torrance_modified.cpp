@@ -132,9 +132,9 @@ std::unique_ptr<EffectModel> make(const Profile& profile, std::string_view) {
 std::vector<GeneratedFile> emit(const Profile& profile, std::string_view) {
     const CookTorranceModified model(profile);
     const Format& f = model.format();
-    const auto text = [](int value) { return std::to_string(value); };
-    return {effect_wrapper(model, {{"F", text(f.F), ""}, {"O", text(f.O), ""}},
-                           {f.attenuation.log2.table(), f.power.exp2.table()})};
+    return {effect_wrapper(model, microfacets::parameters(profile, f.w), microfacets::memories(f.attenuation, f.power)),
+            effect_constants(model, microfacets::constants(profile, f.w),
+                             {f.attenuation.log2.table(), f.power.exp2.table()})};
 }
 
 std::vector<EffectCase> cases(const EffectModel& model) {

@@ -12,7 +12,7 @@ namespace glint::microfacets {
 /// Integer bits beyond 1.0 of the result.
 inline constexpr int E_out = 7;
 
-/// Word lengths that follow from O.
+/// Word lengths that follow from O, 8 .. 16.
 struct WordLengths {
     int T = 0;  ///< address bits of log2
     int L = 0;  ///< fraction bits of logarithms
@@ -21,7 +21,7 @@ struct WordLengths {
 };
 inline WordLengths word_lengths(int O) {
     const int quarter = (O + 3) / 4;
-    return {std::max(4, quarter + 2), O + 9, std::max(2, quarter), O + 4};
+    return {quarter + 2, O + 9, quarter, O + 4};
 }
 
 /// The bits of a wide argument of log2 that lie below what L fraction bits of the result can show.
@@ -89,12 +89,38 @@ inline EffectPort level_port(const WordLengths& w) {
 
 /// Throws Error unless the profile is legal for both forms.
 inline void check_profile(std::string_view effect, const Profile& profile) {
+    if (profile.O < 8) throw Error(fmt::format("O = {} is not legal for the effect {}: 8 to 16", profile.O, effect));
     check_output_bits(effect, profile, 16);
-    const int least = (profile.O + 15) / 2, greatest = profile.O + 10;
+    const int least = (profile.O + 15) / 2, greatest = profile.O + 9;
     if (profile.F < least || profile.F > greatest) {
         throw Error(fmt::format("F = {} is not legal for the effect {} with O = {}: {} to {}", profile.F, effect,
                                 profile.O, least, greatest));
     }
+}
+
+/// Of the Verilog and of the kernels.
+inline std::vector<Constant> parameters(const Profile& profile, const WordLengths& w) {
+    const auto text = [](int value) { return std::to_string(value); };
+    return {{"F", text(profile.F), ""}, {"T", text(w.T), ""}, {"E", text(w.E), ""}, {"O", text(profile.O), ""}};
+}
+inline std::vector<Constant> constants(const Profile& profile, const WordLengths& w) {
+    const auto text = [](int value) { return std::to_string(value); };
+    return {{"int F", text(profile.F), "fraction bits of the dot products"},
+            {"int T", text(w.T), "address bits of log2"},
+            {"int L", text(w.L), "fraction bits of logarithms"},
+            {"int E", text(w.E), "address bits of exp2"},
+            {"int S", text(w.S), "fraction bits of exponents"},
+            {"int O", text(profile.O), "fraction bits of the output"}};
+}
+
+/// The memories beside the Verilog: one per logarithm, all alike.
+inline std::vector<Table> memories(const Attenuation& attenuation, const ScaledPower& power) {
+    std::vector<Table> out;
+    for (const std::string_view name : {"log2_nl", "log2_nv", "log2_nh", "log2_vh"}) {
+        out.push_back(attenuation.log2.table(name));
+    }
+    out.push_back(power.exp2.table());
+    return out;
 }
 
 }  // namespace glint::microfacets

@@ -117,7 +117,7 @@ Log2::Steps Log2::steps(std::int64_t C) const {
     return x;
 }
 
-Table Log2::table() const { return pieces.table("log2", L, L - T + 2, L - 2 * T + 1); }
+Table Log2::table(std::string_view name) const { return pieces.table(name, L, L - T + 2, L - 2 * T + 1); }
 
 Exp2::Steps Exp2::steps(std::int64_t t) const {
     const std::int64_t fraction = t & ((std::int64_t{1} << S) - 1);

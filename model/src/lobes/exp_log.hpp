@@ -61,7 +61,7 @@ struct Log2 {
         std::int64_t z = 0, M = 0, h = 0, l = 0, u = 0;
     };
     Steps steps(std::int64_t C) const;
-    Table table() const;
+    Table table(std::string_view name = "log2") const;
 };
 
 /// y = 2^-t.
