@@ -52,7 +52,9 @@ module glint_attenuation #(
     wire [L+4:0] uh = u[3*L+14:2*L+10];
     wire [L+4:0] uc = u[4*L+19:3*L+15];
 
-    // loss = max(0, uh + max(ul, uv) - uc - 1): each u is at most 31 2^L, so every sum is below 64 2^L.
+    // loss = max(0, uh + max(ul, uv) - uc - 1): each u is at most 31 2^L, so every sum is below 64 2^L. Of vh = 0 uc is
+    // 31 2^L, which stands for infinity; then 63 2^L is taken off and nothing is lost.
+    wire no_vh = &uc[L+4:L];
     reg  [L+5:0] lit_q, whole_q;
     reg  [L+4:0] uv_q, uh_1_q, uh_0_q;
     reg  [L+6:0] gain_q;
@@ -61,7 +63,7 @@ module glint_attenuation #(
     always @(posedge clk_i) begin
         if (enable_i) begin
             lit_q   <= {1'b0, uh} + {1'b0, ul > uv ? ul : uv};
-            whole_q <= {1'b0, uc} + {6'd1, {L{1'b0}}};
+            whole_q <= {1'b0, uc} + {no_vh, 4'd0, ~no_vh, {L{1'b0}}};
             uv_q    <= uv;
             uh_1_q  <= uh;
 

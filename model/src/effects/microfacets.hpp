@@ -42,7 +42,8 @@ struct Attenuation {
         x.uv = log2.steps(nv).u;
         x.uh = log2.steps(nh).u;
         x.uc = log2.steps(vh).u;
-        x.loss = std::max<std::int64_t>(0, x.uh + std::max(x.ul, x.uv) - x.uc - (std::int64_t{1} << log2.L));
+        const std::int64_t lost = x.uh + std::max(x.ul, x.uv) - x.uc - (std::int64_t{1} << log2.L);
+        x.loss = vh == 0 ? 0 : std::max<std::int64_t>(0, lost);
         x.gain = x.uv - x.loss;
         return x;
     }
