@@ -124,7 +124,8 @@ Exp2::Steps Exp2::steps(std::int64_t t) const {
     const auto integer = static_cast<int>(std::min<std::int64_t>(t >> S, O + 2));  // 0 from there on
     const Pieces::Steps p =
         pieces.steps(static_cast<std::size_t>(fraction >> pieces.R), fraction & ((std::int64_t{1} << pieces.R) - 1));
-    return {p.h, p.value, rnd(p.value, S - O + integer)};
+    const int cut = S - O + integer;
+    return {p.h, p.value, cut < 0 ? p.value << -cut : rnd(p.value, cut)};
 }
 
 Table Exp2::table() const { return pieces.table("exp2", S + 1, S - E + 1 + pieces.G, S - 2 * E + pieces.G); }
@@ -145,7 +146,7 @@ Log2 make_log2(std::string_view lobe, int F, int T, int L) {
 
 Exp2 make_exp2(std::string_view lobe, int E, int S, int O) {
     in_range(lobe, "E", E, 2, 8);
-    in_range(lobe, "S", S, std::max(O + 1, 2 * E + 2), 32);
+    in_range(lobe, "S", S, 2 * E + 2, 32);
     return {E, S, O, make_pieces(exp2_minus, E, S - E, S, exp2_guard_bits)};
 }
 

@@ -67,7 +67,7 @@ struct Log2 {
 struct Exp2 {
     int E = 0;  ///< address bits
     int S = 0;  ///< fraction bits of t and p
-    int O = 0;  ///< fraction bits of y
+    int O = 0;  ///< fraction bits of y; where it is above S, the last bits of a y near 1 are 0
     Pieces pieces;
 
     struct Steps {
