@@ -113,17 +113,16 @@ TEST_CASE("oren_nayar: a smooth surface is Lambert's, bit for bit") {
 
 TEST_CASE("oren_nayar: exact values") {
     const auto model = model_at(parse_profile("p12"));
-    static constexpr std::int64_t one = 262144, A = 14000, B = 4000;
-    const auto y = [&](std::int64_t nl, std::int64_t nv, std::int64_t lv, std::int64_t a = A, std::int64_t b = B) {
-        return model->eval_port(Values{nl, nv, lv, a, b}).values[0];
-    };
+    const std::int64_t one = 262144;
+    const auto at = [&](const Values& in) { return model->eval_port(in).values[0]; };
+    const auto y = [&](std::int64_t nl, std::int64_t nv, std::int64_t lv) { return at({nl, nv, lv, 14000, 4000}); };
     CHECK(y(one, one, one) == 3500);                             // A
     CHECK(y(one / 2, one, one / 2) == 1750);                     // V along N: A N.L
     CHECK(y(one, one / 2, one / 2) == 3500);                     // L along N: A
     CHECK(y(one / 2, one / 2, one) == 1750 + 750);               // q = 3/4, ratio 1
     CHECK(y(one / 4, one / 2, one / 8 + one / 2) == 875 + 250);  // q = 1/2, ratio 1/2
     CHECK(y(one / 2, one / 2, -one) == 1750);                    // q below 0
-    CHECK(y(one, 1, one, 16384, 8192) == 6144);                  // 1.5: the greatest
+    CHECK(at({one, 1, one, 16384, 8192}) == 6144);               // 1.5: the greatest
     CHECK(y(one / 2, 0, one) == 0);
     CHECK(y(0, one / 2, one) == 0);
     CHECK(y(-1, one / 2, one) == 0);
