@@ -48,6 +48,8 @@ MODULES = {
     "glint_effect_cook_torrance": ("F T E O TAG_W", ((11, 4, 2, 8, 1), (17, 4, 2, 8, 16), (15, 6, 4, 16, 1), (25, 6, 4, 16, 64))),
     "glint_effect_cook_torrance_modified": (
         "F T E O TAG_W", ((11, 4, 2, 8, 1), (17, 4, 2, 8, 16), (15, 6, 4, 16, 1), (25, 6, 4, 16, 64))),
+    "glint_effect_oren_nayar": ("F O TAG_W", ((7, 4, 1), (8, 4, 16), (30, 27, 64))),
+    "glint_effect_ward": ("F T E O TAG_W", ((8, 4, 2, 4, 1), (30, 4, 2, 4, 16), (30, 6, 5, 20, 64))),
     "glint_axis": ("F O USER_W", ((8, 4, 1), (8, 28, 16), (30, 4, 1), (30, 28, 64))),
 }
 
