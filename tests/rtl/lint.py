@@ -3,7 +3,7 @@
 
     lint.py verilator|iverilog|yosys FOLDER...     the folders of the wrappers
 
-The files of a unit are those that the table "Files" of docs/rtl.md lists. Also linted: the shared modules by
+The files of a unit are those that docs/rtl.md, docs/lobes and docs/effects list. Also linted: the shared modules by
 themselves, with parameters at the ends of what is legal, and what rtl/*.f lists. At last, damaged copies of every unit,
 about which the tool must print something: a lint that finds nothing there finds nothing.
 """
@@ -41,11 +41,29 @@ MODULES = {
                                                                 for d in range(4)]),
     "glint_power": ("S O SQUARES CHOICE MULTIPLIER_STAGES", ((4, 4, 2, 1, 1), (30, 28, 2, 1, 4), (30, 4, 2, 1, 1),
                                                              (17, 12, 0, 0, 2), (17, 12, 5, 0, 1))),
-    "glint_log2": ("F T L MULTIPLIER_STAGES", ((8, 4, 9, 1), (18, 5, 25, 3), (30, 10, 31, 1), (30, 4, 40, 2))),
-    "glint_exp2": ("I_W E S O MULTIPLIER_STAGES", ((6, 2, 6, 4, 1), (15, 3, 16, 12, 3), (12, 6, 30, 28, 1))),
+    "glint_log2": ("F T L CUT MULTIPLIER_STAGES", ((8, 4, 9, 0, 1), (18, 5, 25, 0, 3), (30, 10, 31, 0, 1), (30, 4, 40, 0, 2),
+                                                   (22, 4, 17, 6, 1), (29, 6, 25, 5, 1))),
+    "glint_exp2": ("I_W E S O MULTIPLIER_STAGES", ((6, 2, 6, 4, 1), (15, 3, 16, 12, 3), (12, 6, 30, 28, 1), (8, 3, 16, 20, 1),
+                                                   (8, 2, 6, 28, 1), (8, 3, 13, 12, 2))),
     "glint_parabola": ("R G V_W C1_W C2_W MULTIPLIER_STAGES", ((1, 0, 10, 10, 10, 1), (12, 0, 25, 22, 16, 2),
                                                                (13, 2, 17, 16, 14, 4))),
     "glint_square": ("S R MULTIPLIER_STAGES", ((1, 1, 1), (4, 1, 2), (4, 7, 1), (17, 17, 3), (30, 4, 1), (30, 30, 4))),
+    "glint_sqrt": ("Y_W", ((2,), (3,), (19,), (32,))),
+    "glint_stream": ("LATENCY TAG_W", ((2, 1), (25, 17), (50, 64))),
+    "glint_dot": ("F", ((8,), (18,), (30,))),
+    "glint_colour": ("O", ((4,), (12,), (28,))),
+    "glint_effect_lambert": ("F O TAG_W", ((8, 8, 1), (9, 8, 1), (8, 4, 16), (30, 28, 64))),
+    "glint_effect_highlight": ("F O TAG_W", ((8, 4, 1), (30, 28, 64))),
+    "glint_effect_ambient": ("O TAG_W", ((4, 1), (27, 64))),
+    "glint_effect_tint": ("O TAG_W", ((4, 1), (16, 64))),
+    "glint_attenuation": ("F T L", ((11, 4, 17), (17, 4, 17), (18, 5, 21), (25, 6, 25))),
+    "glint_scaled_power": (
+        "I_W E S K BELOW O", ((10, 2, 12, 12, 0, 8), (8, 2, 12, 13, 13, 8), (10, 4, 20, 20, 0, 16), (8, 4, 20, 21, 21, 16))),
+    "glint_effect_cook_torrance": ("F T E O TAG_W", ((11, 4, 2, 8, 1), (17, 4, 2, 8, 16), (15, 6, 4, 16, 1), (25, 6, 4, 16, 64))),
+    "glint_effect_cook_torrance_modified": (
+        "F T E O TAG_W", ((11, 4, 2, 8, 1), (17, 4, 2, 8, 16), (15, 6, 4, 16, 1), (25, 6, 4, 16, 64))),
+    "glint_effect_oren_nayar": ("F O TAG_W", ((7, 4, 1), (8, 4, 16), (30, 27, 64))),
+    "glint_effect_ward": ("F T E O TAG_W", ((8, 4, 2, 4, 1), (30, 4, 2, 4, 16), (30, 6, 5, 20, 64))),
     "glint_axis": ("F O USER_W", ((8, 4, 1), (8, 28, 16), (30, 4, 1), (30, 28, 64))),
 }
 # The wrappers, with every divider, and with products of several clocks.
@@ -83,9 +101,10 @@ def silent(arguments, folder=ROOT):
 
 
 def file_table():
-    """From docs/rtl.md and docs/lobes: the name of a unit, P in the place of its profile, and its files."""
+    """From docs/rtl.md, docs/lobes and docs/effects: the name of a unit, P in the place of its profile, and its files."""
     table = {}
-    pages = [ROOT / "docs/rtl.md", *sorted((ROOT / "docs/lobes").glob("*.md"))]
+    pages = [ROOT / "docs/rtl.md", *sorted((ROOT / "docs/lobes").glob("*.md")),
+             *sorted((ROOT / "docs/effects").glob("*.md"))]
     text = "\n".join(page.read_text() for page in pages)
     for unit, files in re.findall(r"^\| `(glint_\w+_P)` \| (rtl/generated/.*) \|$", text, re.MULTILINE):
         table[unit] = files.split(", ")
@@ -149,7 +168,7 @@ def lint_file_lists(tool, table):
 def lint_damaged(tool, top, files, folder):
     """One port of the core too narrow: all three tools know that."""
     damaged = Path(folder) / f"{top}.v"
-    text, found = re.subn(r"\(y_o\)|\(m_axis_tdata\)", lambda port: port[0][:-1] + "[3:0])", files[0].read_text())
+    text, found = re.subn(r"\((?:y_o|r_o|m_axis_tdata)\)", lambda port: port[0][:-1] + "[3:0])", files[0].read_text())
     if found != 1:
         raise Failed(f"{files[0]}: {found} results, not one")
     damaged.write_text(text)

@@ -1,0 +1,34 @@
+// The effect `blinn_phong`: docs/effects/blinn_phong.md.
+
+#include "highlight.hpp"
+
+namespace glint {
+namespace {
+
+constexpr std::string_view name = "blinn_phong";
+constexpr std::string_view cosine = "nh";
+
+std::unique_ptr<EffectModel> make_blinn_phong(const Profile& profile, std::string_view lobe) {
+    return make_highlight(name, cosine, profile, lobe);
+}
+
+std::vector<GeneratedFile> emit_blinn_phong(const Profile& profile, std::string_view lobe) {
+    return emit_highlight(name, cosine, profile, lobe);
+}
+
+}  // namespace
+
+Effect blinn_phong_effect();
+
+Effect blinn_phong_effect() {
+    return {name,
+            "lobe(n, N.H) where N.L > 0",
+            "J. F. Blinn 1977",
+            make_blinn_phong,
+            emit_blinn_phong,
+            highlight_cases,
+            1.0,
+            true};
+}
+
+}  // namespace glint
