@@ -79,10 +79,10 @@ std::vector<Architecture> architectures(const Lobe& lobe, const std::string& tex
 /// A unit: its wrapper, and what it computes.
 struct Priced {
     std::string lobe;
-    std::string architecture;
+    Architecture architecture;  // its parameters are set where the unit is instantiated
     std::shared_ptr<const GoldenModel> model;
-    Source wrapper;
-    Json error;  // of a rival
+    std::vector<Source> files;  // the last is the module
+    Json error;                 // of a rival
 };
 
 /// A unit on a device.
@@ -104,7 +104,9 @@ std::vector<Priced> lobe_units(const FpgaOptions& options, const std::string& lo
             const std::shared_ptr<const GoldenModel> model = lobe.golden(profile);
             for (const Architecture& architecture : architectures(lobe, options.architecture)) {
                 const GeneratedFile wrapper = lobe.emit(profile).front();
-                out.push_back({name, architecture.name, model, {wrapper.name, wrapper.text}, nullptr});
+                Architecture parameters = architecture;
+                if (architecture == default_architecture(lobe)) parameters.parameters.clear();  // the wrapper's own
+                out.push_back({name, parameters, model, {{wrapper.name, wrapper.text}}, nullptr});
             }
         }
     }
@@ -119,9 +121,10 @@ std::vector<Priced> tables(const FpgaOptions& options, Flow& flow) {
             throw Error(fmt::format("profile '{}' is not legal for {}: p8, p12 or p16", text, rival));
         const TableFormat format = TableFormat::best(profile);
         const std::shared_ptr<const GoldenModel> model = table_model(profile, format);
-        const Source unit = table_unit(profile, format);
-        const Json error = flow.cached("error" + unit.text, [&] { return table_error(*model); });
-        out.push_back({std::string(rival), "pipelined", model, unit, error});
+        const std::vector<Source> unit = table_unit(profile, format);
+        const Json error =
+            flow.cached("error" + unit.front().text + unit.back().text, [&] { return table_error(*model); });
+        out.push_back({std::string(rival), {"pipelined", {}}, model, unit, error});
     }
     return out;
 }
@@ -170,12 +173,15 @@ FpgaPoint price(Flow& flow, const Request& request, const std::vector<Source>& s
     FpgaPoint out;
     out.lobe = request.what->lobe;
     out.profile = profile.argument();
-    out.architecture = request.what->architecture;
+    out.architecture = request.what->architecture.name;
     out.device = device.name;
     out.dsp = request.dsp;
     out.error = request.what->error;
 
-    const Unit unit = lobe_unit(std::filesystem::path(request.what->wrapper.name).stem(), profile, tag_w);
+    Unit unit = lobe_unit(std::filesystem::path(request.what->files.back().name).stem(), profile, tag_w);
+    for (const auto& [name, value] : request.what->architecture.parameters) {
+        unit.parameters += fmt::format(", .{}({})", name, value);
+    }
     const std::vector<Stimulus> burst = stimuli(profile);
     std::vector<PortResult> expected;
     for (const Stimulus& in : burst) expected.push_back(request.what->model->eval_port(in.n, in.cos_code));
@@ -213,9 +219,7 @@ FpgaPoint price(Flow& flow, const Request& request, const std::vector<Source>& s
     return out;
 }
 
-}  // namespace
-
-int run_fpga(const FpgaOptions& options) {
+void measure(const FpgaOptions& options) {
     Flow flow(options.cache);
     const std::vector<int> seeds = parse_seeds(options.seeds);
     check_writable(options.json);
@@ -229,18 +233,24 @@ int run_fpga(const FpgaOptions& options) {
     }
     if (!options.json.empty()) merged(options.json, tools, {});  // what can be refused is, before the work
     std::vector<std::vector<Source>> sources;
-    for (const Request& request : all) sources.push_back(with_dependencies(options.rtl, request.what->wrapper));
+    for (const Request& request : all) sources.push_back(with_dependencies(options.rtl, request.what->files));
 
     std::vector<FpgaPoint> points(all.size());
+    parallel_tasks(all.size(), options.jobs, progress_bar("cost"),
+                   [&] { return [&](std::size_t i) { points[i] = price(flow, all[i], sources[i], seeds); }; });
+    if (!options.json.empty()) write_file(options.json, merged(options.json, tools, points));
+    fmt::print("{}", points_table(points));
+}
+
+}  // namespace
+
+int run_fpga(const FpgaOptions& options) {
     try {
-        parallel_tasks(all.size(), options.jobs, progress_bar("cost"),
-                       [&] { return [&](std::size_t i) { points[i] = price(flow, all[i], sources[i], seeds); }; });
+        measure(options);
     } catch (const ToolFailure& failure) {
         fmt::print(stderr, "glint: {}\n", failure.what());
         return check_failed;
     }
-    if (!options.json.empty()) write_file(options.json, merged(options.json, tools, points));
-    fmt::print("{}", points_table(points));
     return success;
 }
 

@@ -52,6 +52,16 @@ std::string complaint(const std::string& log) {
     return last_line(errors.empty() ? log : errors);
 }
 
+/// The JSON that a tool was to write.
+Json written(std::string_view tool, const fs::path& path) {
+    const std::string text = fs::is_regular_file(path) ? read_file(path) : "";
+    Json out = Json::parse(text, nullptr, false);
+    if (out.is_discarded()) {
+        throw ToolFailure(fmt::format("{} ended without writing {}", tool, path.filename().string()));
+    }
+    return out;
+}
+
 /// Why a design has no place on the device, when that is what made nextpnr fail.
 std::optional<std::string> no_fit(const std::string& log) {
     static const std::regex usage("\\s([A-Z0-9_]+):\\s*([0-9]+)/\\s*([0-9]+)");
@@ -92,21 +102,24 @@ void write_sources(const fs::path& folder, const std::vector<Source>& sources) {
     for (const Source& source : sources) write_file(folder / source.name, source.text);
 }
 
-std::string names(const std::vector<Source>& sources) {
-    std::string out;
-    for (const Source& source : sources) out += " " + source.name;
+/// The files that a tool is given.
+std::vector<std::string> verilog(const std::vector<Source>& sources) {
+    std::vector<std::string> out;
+    for (const Source& source : sources) {
+        if (source.name.ends_with(".v")) out.push_back(source.name);
+    }
     return out;
 }
 
 }  // namespace
 
-std::vector<Source> with_dependencies(const fs::path& rtl, const Source& top) {
+std::vector<Source> with_dependencies(const fs::path& rtl, const std::vector<Source>& unit) {
     static const std::regex comment("//[^\n]*");
     static const std::regex instance("(?:^|\n)\\s*(glint_\\w+)\\s*(?:#\\s*\\(|\\w+\\s*\\()");
     static const std::regex definition("(?:^|\n)\\s*module\\s+(\\w+)");
     std::map<std::string, std::string> found;  // by file name
     std::set<std::string> defined;
-    std::vector<std::string> texts{top.text};
+    std::vector<std::string> texts{unit.back().text};
     while (!texts.empty()) {
         const std::string text = std::regex_replace(texts.back(), comment, "");
         texts.pop_back();
@@ -127,7 +140,7 @@ std::vector<Source> with_dependencies(const fs::path& rtl, const Source& top) {
     }
     std::vector<Source> out;
     for (const auto& [name, text] : found) out.push_back({name, text});
-    out.push_back(top);
+    out.insert(out.end(), unit.begin(), unit.end());
     return out;
 }
 
@@ -158,8 +171,8 @@ const std::optional<Flow::Tool>& Flow::find_tool(const std::string& name) {
         const std::string said = read_file(log);
         std::smatch match;
         if (!std::regex_search(said, match, kind.version)) {
-            throw ToolFailure(fmt::format("{} {} failed with exit status {}: {}", path->string(), kind.version_option,
-                                          status, complaint(said)));
+            throw ToolFailure(fmt::format("{} {} did not tell its version, exit status {}: '{}'", path->string(),
+                                          kind.version_option, status, complaint(said)));
         }
         return tools_[name] = Tool{*path, match[1]};
     }
@@ -192,8 +205,8 @@ Flow::Netlist::Netlist(Flow& flow, std::vector<Source> sources, const Device& de
     : flow_(flow), sources_(std::move(sources)), device_(device) {
     const std::string_view option = dsp ? device.family->dsp_on : device.family->dsp_off;
     script_ = fmt::format(
-        "read_verilog{}; {}{}{} -top glint_harness; write_json netlist.json; tee -q -o stat.json stat -json",
-        names(sources_), device.family->synthesis, option.empty() ? "" : " ", option);
+        "read_verilog {}; {}{}{} -top glint_harness; write_json netlist.json; tee -q -o stat.json stat -json",
+        fmt::join(verilog(sources_), " "), device.family->synthesis, option.empty() ? "" : " ", option);
     key_ = joined(sources_) + script_;
 }
 
@@ -205,10 +218,7 @@ void Flow::Netlist::synthesize() {
     const int status = run_program(flow_.tool("yosys").path, {"-q", "-p", script_}, folder->path(), log);
     if (status != 0)
         throw ToolFailure(fmt::format("yosys failed with exit status {}: {}", status, complaint(read_file(log))));
-    const std::string stat = read_file(folder->path() / "stat.json");
-    const std::size_t begin = stat.find('{');
-    const Json found = Json::parse(stat.substr(std::min(begin, stat.size())), nullptr, false);
-    if (found.is_discarded()) throw ToolFailure("yosys ended without counting cells");
+    const Json found = written("yosys", folder->path() / "stat.json");
     cells_ = found.at("design").at("num_cells_by_type").get<std::map<std::string, int>>();
     folder_ = std::move(folder);
 }
@@ -253,7 +263,7 @@ Routing Flow::Netlist::run_router(int seed) {
         if (const std::optional<std::string> why = no_fit(said)) return {false, *why};
         throw ToolFailure(fmt::format("{} failed with exit status {}: {}", router, status, complaint(said)));
     }
-    const Json report = Json::parse(read_file(folder_->path() / "report.json"));
+    const Json report = written(router, folder_->path() / "report.json");
     if (report.at("fmax").size() != 1)
         throw ToolFailure(fmt::format("{} found {} clocks, not 1", router, report["fmax"].size()));
     Routing out{true, {}};
@@ -279,7 +289,7 @@ Clocks Flow::count_clocks(const std::vector<Source>& sources, const Unit& unit, 
         write_sources(folder.path(), all);
         const fs::path log = folder.path() / "log";
         std::vector<std::string> arguments{"-g2005", "-s", "glint_clocks", "-o", "bench"};
-        for (const Source& source : all) arguments.push_back(source.name);
+        for (const std::string& name : verilog(all)) arguments.push_back(name);
         int status = run_program(tool("iverilog").path, arguments, folder.path(), log);
         if (status == 0) status = run_program(tool("vvp").path, {"-n", "bench"}, folder.path(), log);
         const std::string said = read_file(log);

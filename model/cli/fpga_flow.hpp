@@ -26,14 +26,15 @@ public:
     using std::runtime_error::runtime_error;
 };
 
+/// A file of Verilog, or of data that one reads.
 struct Source {
-    std::string name;  ///< file name without a folder
+    std::string name;  ///< without a folder; Verilog ends with ".v"
     std::string text;
 };
 
-/// The files of the folder `rtl` that `top` instantiates, directly or through others, by name; then `top` itself.
-/// Throws Error: a module of the project has no file there.
-std::vector<Source> with_dependencies(const std::filesystem::path& rtl, const Source& top);
+/// The files of the folder `rtl` that the last of `unit` instantiates, directly or through others, by name; then `unit`
+/// itself. Throws Error: a module of the project has no file there.
+std::vector<Source> with_dependencies(const std::filesystem::path& rtl, const std::vector<Source>& unit);
 
 /// 64 bits (FNV-1a) in hexadecimal.
 std::string hash(std::string_view text);

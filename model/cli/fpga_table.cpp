@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <vector>
 
 #include <fmt/format.h>
 
@@ -106,13 +105,13 @@ std::unique_ptr<GoldenModel> table_model(const Profile& profile, const TableForm
     return std::make_unique<TableModel>(profile, format);
 }
 
-Source table_unit(const Profile& profile, const TableFormat& format) {
+std::vector<Source> table_unit(const Profile& profile, const TableFormat& format) {
     std::string memory;
     const std::vector<std::uint32_t> all = entries(format, profile);
-    for (std::size_t i = 0; i < all.size(); ++i) memory += fmt::format("        memory[{}] = {};\n", i, all[i]);
+    for (const std::uint32_t entry : all) memory += fmt::format("{:x}\n", entry);
     const std::string module = "glint_table_" + profile.name;
-    return {module + ".v",
-            fmt::format(R"(// {0}: a table of c^n at the top {6} bits of n and the top {7} bits of the cosine.
+    const std::string text =
+        fmt::format(R"(// {0}: a table of c^n at the top {6} bits of n and the top {7} bits of the cosine.
 
 `default_nettype none
 
@@ -160,8 +159,7 @@ module {0} #(
     );
 
     reg [{4}:0] memory [0:{5}];
-    initial begin
-{8}    end
+    initial $readmemh("{0}.hex", memory);
 
     wire [{7}-1:0] cos_index = cosine[{3}] ? {{{7}{{1'b1}}}} : cosine[{3}-1:{3}-{7}];
 
@@ -170,7 +168,7 @@ module {0} #(
     always @(posedge clk_i) begin
         if (advance) begin
             entry_q <= memory[{{n[9:10-{6}], cos_index}}];
-            y_q     <= negative ? {{{9}{{1'b0}}}} : entry_q;
+            y_q     <= negative ? {{{8}{{1'b0}}}} : entry_q;
         end
     end
 
@@ -180,8 +178,9 @@ endmodule
 
 `default_nettype wire
 )",
-                        module, profile.F + 1, profile.O, profile.F, profile.O - 1, all.size() - 1, format.n_bits,
-                        format.cos_bits, memory, profile.O)};
+                    module, profile.F + 1, profile.O, profile.F, profile.O - 1, all.size() - 1, format.n_bits,
+                    format.cos_bits, profile.O);
+    return {{module + ".hex", memory}, {module + ".v", text}};
 }
 
 nlohmann::ordered_json table_error(const GoldenModel& model) {

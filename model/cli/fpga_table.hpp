@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <vector>
 
 #include <nlohmann/json.hpp>
 
@@ -23,8 +24,9 @@ struct TableFormat {
 /// What the table answers: the middle between the largest and the least c^n of the inputs that share an entry.
 std::unique_ptr<GoldenModel> table_model(const Profile& profile, const TableFormat& format);
 
-/// The module `glint_table_P`: a unit with the ports of every other (docs/rtl.md) and its memory.
-Source table_unit(const Profile& profile, const TableFormat& format);
+/// The contents of the memory, a file that the module reads; then the module `glint_table_P`, a unit with the ports of
+/// every other (docs/rtl.md).
+std::vector<Source> table_unit(const Profile& profile, const TableFormat& format);
 
 /// {"max", "max_n8": the largest |y / 2^O - c^n| over all legal inputs, and over those with n >= 8; "inputs"}.
 nlohmann::ordered_json table_error(const GoldenModel& model);
