@@ -69,11 +69,43 @@ std::vector<bool> dsp_choices(const Device& device, const std::string& text) {
     return {false, true};
 }
 
+constexpr std::string_view all_architectures =
+    "restoring,radix4,iterative,reciprocal,restoring:m2,radix4:m2,iterative:m2,reciprocal:m2,pipelined,pipelined:m2";
+
+/// Those of a list that the lobe can have: one with a divider and one without have none in common. Throws Error when
+/// there is none.
 std::vector<Architecture> architectures(const Lobe& lobe, const std::string& text) {
     if (text.empty()) return {default_architecture(lobe)};
     std::vector<Architecture> out;
-    for (const std::string& name : split(text)) out.push_back(parse_architecture(lobe, name));
+    std::string refused;
+    for (const std::string& name : split(text == "all" ? std::string(all_architectures) : text)) {
+        try {
+            const Architecture architecture = parse_architecture(lobe, name);
+            if (std::find(out.begin(), out.end(), architecture) == out.end()) out.push_back(architecture);
+        } catch (const Error& error) {
+            refused = error.what();
+        }
+    }
+    if (out.empty()) throw Error(refused);
     return out;
+}
+
+/// Throws Error for an architecture of a list that none of the lobes can have.
+void check_architectures(const std::vector<LobeChoice>& lobes, const std::string& text) {
+    if (text.empty() || text == "all") return;
+    for (const std::string& name : split(text)) {
+        std::string refused;
+        const bool legal = std::any_of(lobes.begin(), lobes.end(), [&](const LobeChoice& choice) {
+            try {
+                parse_architecture(*choice.lobe, name);
+                return true;
+            } catch (const Error& error) {
+                refused = error.what();
+                return false;
+            }
+        });
+        if (!legal) throw Error(refused);
+    }
 }
 
 /// A unit: its wrapper, and what it computes.
@@ -96,7 +128,9 @@ constexpr std::string_view rival = "table";
 
 std::vector<Priced> lobe_units(const FpgaOptions& options, const std::string& lobes) {
     std::vector<Priced> out;
-    for (const LobeChoice& choice : split_lobes(lobes)) {
+    const std::vector<LobeChoice> choices = split_lobes(lobes);
+    check_architectures(choices, options.architecture);
+    for (const LobeChoice& choice : choices) {
         const Lobe& lobe = *choice.lobe;
         const std::string name = std::string(lobe.name) + (choice.options.empty() ? "" : ":" + choice.options);
         for (const std::string& text : split_profiles(options.profile)) {

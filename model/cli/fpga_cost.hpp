@@ -12,7 +12,7 @@ namespace glint::cli {
 struct FpgaOptions {
     std::string lobe = "bps";
     std::string profile = "p12";
-    std::string architecture;  ///< empty: the default one of each lobe
+    std::string architecture;  ///< a list, or all; empty: the default one of each lobe
     std::string device = "hx8k";
     std::string dsp = "on";
     std::string seeds = "1,2,3";

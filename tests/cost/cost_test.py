@@ -45,6 +45,8 @@ class Refusals(Cost):
             ("lobe 'phong'", ["--fpga", "--lobe", "phong"]),
             ("profile 'p13'", ["--fpga", "--profile", "p13"]),
             ("architecture 'fast' is not legal", ["--fpga", "--architecture", "fast"]),
+            ("architecture 'pipelined' is not legal for bps", ["--fpga", "--architecture", "restoring,pipelined"]),
+            ("architecture 'restoring:r0'", ["--fpga", "--lobe", "all", "--architecture", "pipelined,restoring:r0"]),
             ("'18,12' is not legal for table", ["--fpga", "--lobe", "table", "--profile", "18,12"]),
             ("folder 'nowhere' has no glint_bps.v", ["--fpga", "--rtl", "nowhere"]),
             ("'missing/x.json' cannot be written", ["--fpga", "--json", "missing/x.json"]),
