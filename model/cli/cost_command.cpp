@@ -23,7 +23,7 @@ void add_cost(CLI::App& app, Chosen& chosen) {
     FpgaOptions& fpga = options->on_fpga;
     CLI::App* command = app.add_subcommand("cost", "What units cost: cells, clock and latency on FPGAs");
     command->add_flag("--fpga", options->fpga, "Synthesize, place and route (docs/cost.md)");
-    command->add_option("--lobe", fpga.lobe, "Lobes, separated by commas, or all; table: a rival, c^n in block RAM")
+    command->add_option("--lobe", fpga.lobe, "Lobes, separated by commas, or all; table: c^n in block RAM")
         ->capture_default_str();
     command->add_option("--profile", fpga.profile, "Profiles: p8, p12, p16 or the lobe's F,..,O")
         ->capture_default_str();
