@@ -28,7 +28,7 @@ void add_cost(CLI::App& app, Chosen& chosen) {
     command->add_option("--profile", fpga.profile, "Profiles: p8, p12, p16 or the lobe's F,..,O")
         ->capture_default_str();
     command->add_option("--architecture", fpga.architecture,
-                        "Architectures, separated by commas, or all; else each lobe's default one");
+                        "Architectures, separated by commas, or all; else the default ones");
     command->add_option("--device", fpga.device, "hx8k, up5k, ecp5-25k and xc7, separated by commas")
         ->capture_default_str();
     command->add_option("--dsp", fpga.dsp, "on, off or both: products in DSPs, where the device has any")
