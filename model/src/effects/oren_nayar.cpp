@@ -119,6 +119,9 @@ std::vector<EffectCase> oren_nayar_cases(const EffectModel& model) {
     add("sigma without bound", {one / 3, one / 5, one / 2}, 1e6, "A = 1/2, B = 0.45");
     add("dots that no vectors have", {one, 1, one}, 0.4, "q = 1: more than 1 comes out, and fits");
     add("dots above 1", {one + 1, one + 2, one + 3}, 0.4, "vectors a little longer than 1: count as 1");
+    cases.push_back({"nl = nv, half an ulp",
+                     {1, 1, one, 0, ports[4].high - 2},
+                     "rounds up; a ratio a little below 1 would make it less"});
     cases.push_back(
         {"the greatest result", {one, 1, one, ports[3].high, ports[4].high}, "A + B = 1.5: the bit above 1"});
     return cases;
