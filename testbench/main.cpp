@@ -21,6 +21,7 @@ struct Options {
     std::string effect;
     std::string lobe = "bps";
     std::string profile = "p8,p12,p16";
+    std::string mask;
     std::string unit = "core";
     std::string n = "all";
     std::string cos = "all";
@@ -90,6 +91,18 @@ std::vector<const Effect*> split_effects(const std::string& text) {
     return out;
 }
 
+/// "1,2,5"; empty: -1, all that there is.
+std::vector<int> split_masks(const std::string& text) {
+    if (text.empty()) return {-1};
+    std::vector<int> out;
+    for (std::size_t begin = 0; begin <= text.size();) {
+        const std::size_t end = std::min(text.find(',', begin), text.size());
+        out.push_back(static_cast<int>(cli::parse_integer(text.substr(begin, end - begin), "--mask", 0, 0xffff)));
+        begin = end + 1;
+    }
+    return out;
+}
+
 int cosim_effects(const Options& options, const std::string& command) {
     EffectRequest request;
     request.count = options.count;
@@ -111,9 +124,11 @@ int cosim_effects(const Options& options, const std::string& command) {
     std::vector<Work> work;
     for (const Effect* effect : split_effects(options.effect)) {
         for (const std::string& profile : cli::split_profiles(options.profile)) {
-            auto model = effect->golden(parse_profile(profile), options.lobe);
-            const EffectUnitKind& kind = find_effect_unit(effect->name, options.lobe, model->profile().name);
-            work.push_back({effect, std::move(model), &kind});
+            for (const int mask : split_masks(options.mask)) {
+                auto model = effect->golden(parse_profile(profile), options.lobe);
+                const EffectUnitKind& kind = find_effect_unit(effect->name, options.lobe, model->profile().name, mask);
+                work.push_back({effect, std::move(model), &kind});
+            }
         }
     }
     if (work.empty()) throw Error("--effect all: this build has no unit of any effect");
@@ -122,8 +137,9 @@ int cosim_effects(const Options& options, const std::string& command) {
     std::vector<EffectRun> runs;
     std::vector<JUnitCase> cases;
     for (const auto& [effect, model, kind] : work) {
-        const std::string name =
-            fmt::format("{}{}{} {}", effect->name, kind->lobe.empty() ? "" : " ", kind->lobe, model->profile().name);
+        const std::string mask = kind->mask < 0 ? "" : fmt::format(" MASK {}", kind->mask);
+        const std::string name = fmt::format("{}{}{} {}{}", effect->name, kind->lobe.empty() ? "" : " ", kind->lobe,
+                                             model->profile().name, mask);
         runs.push_back(cosimulate_effect(*effect, *model, *kind, request, cli::progress_bar(name)));
         const EffectRun& run = runs.back();
         cases.push_back({fmt::format("{} {}", name, run.test), run.seconds, run.complaint});
@@ -170,6 +186,8 @@ int main(int argc, char** argv) {
     CLI::App app{"The Verilog, run by Verilator, against the golden model, bit for bit.", "glint-cosim"};
     CLI::Option* effect = app.add_option("--effect", options.effect,
                                          "Effects instead of lobes, or all; --lobe is that of phong and blinn_phong");
+    app.add_option("--mask", options.mask, "With --effect shade: units with these MASKs, separated by commas")
+        ->needs(effect);
     app.add_option("--lobe", options.lobe, "Lobes, separated by commas, or all")->capture_default_str();
     app.add_option("--profile", options.profile, "Profiles, separated by commas")->capture_default_str();
     CLI::Option* unit =
