@@ -41,9 +41,11 @@ install_missing() {
     need python3 command_there python3
     if [ "$1" = test ]; then
         need catch2 file_there '/usr/include/catch2/catch*.hpp'
+        need valgrind command_there valgrind
         need libbenchmark-dev file_there '/usr/include/benchmark/benchmark.h'
         need iverilog command_there iverilog
         need yosys command_there yosys
+        need nextpnr-ice40 command_there nextpnr-ice40
         need z3 command_there z3
         need sollya command_there sollya
         need clang-format command_there clang-format
