@@ -61,7 +61,8 @@ TEST_CASE("the committed generated files are those of the model, and every shipp
 
 TEST_CASE("the committed generated files of effects are those of the model, and every shipped profile has its own") {
     const std::filesystem::path root = GLINT_SOURCE_DIR;
-    const std::filesystem::path folders[] = {root / "rtl/generated", root / "hls/generated"};
+    const std::filesystem::path folders[] = {root / "rtl/generated", root / "hls/generated",
+                                             root / "proofs/gappa/effects"};
     std::set<std::filesystem::path> current;
     for (const Effect& effect : effects()) {
         for (const Profile& profile : shipped_profiles()) {
