@@ -77,11 +77,10 @@ module glint_scaled_power #(
         .data_o  ({nothing, full, shift})
     );
 
-    // p factor <= 2^(S+K+1). y = rnd(p factor, BASE + j); `operand` is that product with one bit more than the half that
-    // rounds at j = 0 wants, so bits below are cut, or zeros put in.
-    localparam BASE      = S + K - O - 8 - BELOW;
-    localparam DROP      = BASE > 1 ? BASE - 1 : 0;
-    localparam PAD       = BASE > 1 ? 0 : 1 - BASE;
+    // p factor <= 2^(S+K+1). y = rnd(p factor, S + K - O - 8 - BELOW + j); `operand` is that product with one bit more than
+    // the half that rounds at j = 0 wants, so bits below are cut, or zeros put in.
+    localparam DROP      = S + K > O + 9 + BELOW ? S + K - O - 9 - BELOW : 0;
+    localparam PAD       = S + K > O + 9 + BELOW ? 0 : O + 9 + BELOW - S - K;
     localparam PRODUCT_W = S + K + 2;
     localparam OPERAND_W = PRODUCT_W - DROP + PAD;
 

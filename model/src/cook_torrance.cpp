@@ -123,6 +123,12 @@ Cubic::Error Cubic::error() const {
     return out;
 }
 
+Cubic fit_beckmann(double m, Variable variable, double last) {
+    check_roughness(m);
+    if (!(last > 0.0 && last <= 0.5 * pi)) throw Error(fmt::format("last angle {} is not legal: 0 to pi/2", last));
+    return fit_up_to(m, variable, last);
+}
+
 // The largest error is no smooth function of the end, so the ends are tried: 1 % steps, from where the cubic would cut
 // off half of the highlight to where it would be lost in it.
 Cubic fit_beckmann(double m, Variable variable) {

@@ -228,6 +228,10 @@ TEST_CASE("The cubic for the distribution") {
         // In N.H the error is a third of that in the angle for smooth surfaces.
         if (m <= 0.4) CHECK(half.error().largest < 0.45 * angle.error().largest);
     }
+    // Over the whole quarter of a turn, as the paper has it, a cubic does not meet a sharp bell.
+    CHECK(fit_beckmann(0.3, Variable::angle, pi / 2).error().largest > 0.15);
+    CHECK_THROWS_AS(fit_beckmann(0.3, Variable::angle, 0.0), Error);
+    CHECK_THROWS_AS(fit_beckmann(0.3, Variable::angle, 1.6), Error);
     // By roughness, as docs/effects/cook_torrance_modified.md says: in % of the peak.
     CHECK(fit_beckmann(0.05, Variable::half).error().largest == Approx(0.0203).epsilon(0.005));
     CHECK(fit_beckmann(0.3, Variable::half).error().largest == Approx(0.0077).epsilon(0.01));

@@ -50,8 +50,11 @@ struct Cubic {
     Error error() const;
 };
 
-/// Least squares over angles at equal steps up to `end`, with the value 0 at the end; and of all ends the one with the
-/// least largest error over all angles. Throws Error unless m is legal.
+/// Least squares over angles at equal steps up to the angle `last`, with the value 0 there. Throws Error unless m is
+/// legal and 0 < last <= pi/2.
+Cubic fit_beckmann(double m, Variable variable, double last);
+
+/// Of all last angles the one with the least largest error over all angles. Throws Error unless m is legal.
 Cubic fit_beckmann(double m, Variable variable);
 
 /// The modified form's constant for Fresnel's reflectance: the mean over V.H in [0.4, 1], where it changes little.

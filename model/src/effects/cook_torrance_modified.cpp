@@ -148,14 +148,14 @@ std::vector<EffectCase> cases(const EffectModel& model) {
     };
     add("L = V = N, m = 0.05, Ni = 4", {one, one, one, one}, 0.05, 4.0, "the greatest peak at normal incidence: 46");
     add("L = V = N, m = 1", {one, one, one, one}, 1.0, 1.5, "the roughest material");
-    add("nl = 0", {0, one / 2, one / 2, one / 2}, 0.2, 1.5, "the logarithm of 0; the result is 0");
+    add("N.L = 0", {0, one / 2, one / 2, one / 2}, 0.2, 1.5, "the logarithm of 0; the result is 0");
     add("nl = 1 ulp", {1, one / 2, one - one / 100, one / 2}, 0.2, 1.5, "the greatest logarithm");
-    add("nv = 0", {one / 2, 0, one / 2, one / 2}, 0.2, 1.5, "a division by 0; the result is 0");
+    add("N.V = 0", {one / 2, 0, one / 2, one / 2}, 0.2, 1.5, "a division by 0; the result is 0");
     add("nv = 1 ulp", {one / 2, 1, one - one / 100, one / 2}, 0.2, 1.5, "1 / nv is 2^F; G brings it back");
     add("nl = nv = 1 ulp, mirror", {1, 1, one, 1}, 0.05, 1.5, "G = 1 and 1 / nv = 2^F: saturates");
-    add("vh = 0", {one / 2, one / 2, one, 0}, 0.2, 1.5, "G divides by 0 and is 1");
+    add("V.H = 0", {one / 2, one / 2, one, 0}, 0.2, 1.5, "G divides by 0 and is 1");
     add("vh below 0", {one / 2, one / 2, one, -one / 2}, 0.2, 1.5, "counts as 0");
-    add("nh = 0", {one / 2, one / 2, 0, one / 2}, 1.0, 1.5, "the result is 0");
+    add("N.H = 0", {one / 2, one / 2, 0, one / 2}, 1.0, 1.5, "the result is 0");
     add("nh below 0", {one / 2, one / 2, -one / 2, one / 2}, 1.0, 1.5, "H under the surface; the result is 0");
     add("nh = 1 - 1 ulp, m = 0.05", {one / 2, one / 2, one - 1, one / 2}, 0.05, 1.5, "the steepest place of the peak");
     add("Ni = 1", {one, one, one, one}, 0.05, 1.0, "no reflectance: all coefficients are 0");
