@@ -101,7 +101,7 @@ UNITS = {
             (r"fits_1 = ~left_1\[L_W-1\]", "fits_1 = ~left_1[L_W-1] & |left_1"),
             (r"digit_1_q <= estimate \+ .*;", "digit_1_q <= estimate;"),
             (r"whole_1_q <= whole - .*;", "whole_1_q <= whole;"),
-            (r"leading_zeros = 6'd0;", "leading_zeros = 6'd1;"),
+            (r"dividend_wide << shift;", "dividend_wide << (shift ^ 6'd1);"),
             (r"<< DROP\) - 64'd1\) >> DROP\) - 64'd1;", "<< DROP) - 64'd1) >> DROP) + 64'd99;"),
             (r"beside_q  <= beside_2", "beside_q  <= beside_1"),
         ],
