@@ -263,8 +263,8 @@ module glint_divider_reciprocal #(
             reg        [G-1:0] factor_q;
             reg      [N_W-1:0] divisor_q;
             reg          [5:0] places_q;
-            /* verilator lint_on UNUSED */
             reg    [ALL_W-1:0] rest_q;
+            /* verilator lint_on UNUSED */
             reg [BESIDE_W-1:0] beside_q;
             /* verilator lint_off UNUSED */  // the bits that were taken
             // What has left the dividend at its upper end comes back as quotient at the lower one.

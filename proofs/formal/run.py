@@ -111,7 +111,8 @@ DELAY_BUGS = [
 DIVIDER_BUGS = [
     ("equal_does_not_fit", "one_stage", "fits = ~difference[Y_W+1];", "fits = ~difference[Y_W+1] & |difference[Y_W:1];"),
     ("stage_skips", "stage_moves", "remainder_q  <= reduced;", "remainder_q  <= remainder;"),
-    ("quotient_inverted", "divides", "{bits[Q_W-2:0], fits};", "{bits[Q_W-2:0], ~fits};"),
+    ("quotient_inverted", "divides", "bits_q       <= {bits[Q_W-2:0], fits};",
+     "bits_q       <= {bits[Q_W-2:0], ~fits};"),
     ("divisor_of_another", "divides|beside_kept", "complement_q <= complement;", "complement_q <= ~divisor_i;"),
     ("beside_of_another", "beside_kept", "beside_q     <= beside;", "beside_q     <= beside_i;"),
     ("enable_ignored", "holds", "if (enable_i) begin", "if (enable_i | fits) begin"),
