@@ -1,5 +1,9 @@
+// `glint cost`: the table of accuracy and cost, or what fills it: prices, errors, word lengths.
 #include "commands.hpp"
 #include "common.hpp"
+#include "cost_accuracy.hpp"
+#include "cost_grid.hpp"
+#include "cost_table.hpp"
 #include "fpga_cost.hpp"
 #include "glint/error.hpp"
 
@@ -7,40 +11,110 @@ namespace glint::cli {
 namespace {
 
 struct Options {
-    bool fpga = false;
+    bool fpga = false, accuracy = false, grid = false;
+    /// Where they are empty, what they do not name is each part's own default.
+    std::string lobe, profile, device, json;
+    unsigned jobs = 1, threads = 0;
+    CostTableOptions table;
     FpgaOptions on_fpga;
+    GridOptions word_lengths;
+    std::vector<CLI::Option*> of_table, of_fpga, of_grid;
 };
 
-int run_cost(const Options& options) {
-    if (!options.fpga) throw Error("what is to be priced is missing: --fpga");
-    return run_fpga(options.on_fpga);
+/// Options of another part are not passed over in silence.
+void refuse(const std::vector<CLI::Option*>& options, bool legal, const std::string& where) {
+    for (const CLI::Option* option : options) {
+        if (!legal && option->count() > 0) throw Error(option->get_name() + " is not legal here: it is " + where);
+    }
+}
+
+void set(std::string& value, const std::string& given) {
+    if (!given.empty()) value = given;
+}
+
+int run_cost(Options options, const std::string& command) {
+    if (options.fpga + options.accuracy + options.grid > 1) {
+        throw Error("--fpga, --accuracy and --grid are not legal together: one of them");
+    }
+    refuse(options.of_fpga, options.fpga, "with --fpga");
+    refuse(options.of_grid, options.grid, "with --grid");
+    refuse(options.of_table, !options.fpga && !options.accuracy && !options.grid, "of the table");
+    if (options.fpga) {
+        FpgaOptions& fpga = options.on_fpga;
+        set(fpga.lobe, options.lobe);
+        set(fpga.profile, options.profile);
+        set(fpga.device, options.device);
+        fpga.json = options.json;
+        fpga.jobs = options.jobs;
+        return run_fpga(fpga);
+    }
+    if (options.accuracy) {
+        return run_cost_accuracy(options.lobe.empty() ? "all" : options.lobe,
+                                 options.profile.empty() ? "p8,p12,p16" : options.profile, options.json,
+                                 options.threads);
+    }
+    if (options.grid) {
+        GridOptions& grid = options.word_lengths;
+        set(grid.lobe, options.lobe);
+        set(grid.device, options.device);
+        grid.rtl = options.on_fpga.rtl;
+        grid.cache = options.on_fpga.cache;
+        grid.json = options.json;
+        grid.jobs = options.jobs;
+        grid.threads = options.threads;
+        return run_cost_grid(grid);
+    }
+    CostTableOptions& table = options.table;
+    set(table.device, options.device);
+    table.lobe = options.lobe;
+    table.profile = options.profile;
+    table.json = options.json;
+    return run_cost_table(table, command);
 }
 
 }  // namespace
 
 void add_cost(CLI::App& app, Chosen& chosen) {
-    auto options = std::make_shared<Options>();
-    FpgaOptions& fpga = options->on_fpga;
-    CLI::App* command = app.add_subcommand("cost", "What units cost: cells, clock and latency on FPGAs");
-    command->add_flag("--fpga", options->fpga, "Synthesize, place and route (docs/cost.md)");
-    command->add_option("--lobe", fpga.lobe, "Lobes, separated by commas, or all; table: c^n in block RAM")
-        ->capture_default_str();
-    command->add_option("--profile", fpga.profile, "Profiles: p8, p12, p16 or the lobe's F,..,O")
-        ->capture_default_str();
-    command->add_option("--architecture", fpga.architecture,
-                        "Architectures, separated by commas, or all; else the default ones");
-    command->add_option("--device", fpga.device, "hx8k, up5k, ecp5-25k and xc7, separated by commas")
-        ->capture_default_str();
-    command->add_option("--dsp", fpga.dsp, "on, off or both: products in DSPs, where the device has any")
-        ->capture_default_str();
-    command->add_option("--seeds", fpga.seeds, "Seeds of place and route; the clock is the median")
-        ->capture_default_str();
-    command->add_option("--rtl", fpga.rtl, "Folder of the Verilog")->capture_default_str();
-    command->add_option("--cache", fpga.cache, "Folder that keeps what was measured")->capture_default_str();
-    command->add_option("--json", fpga.json, "Merge the prices into this file");
-    add_integer(*command, "-j,--jobs", fpga.jobs, 0, most_threads, "Units at a time; 0: one a core");
-    command->footer("Example: glint cost --fpga --lobe bps --profile p12 --device hx8k,up5k --json cost/fpga.json");
-    command->callback([=, &chosen] { chosen.run = [=] { return run_cost(*options); }; });
+    auto o = std::make_shared<Options>();
+    CLI::App* command = app.add_subcommand("cost", "What accuracy costs: errors beside cells, clocks and latency");
+    command->add_flag("--fpga", o->fpga, "Price units instead: synthesize, place and route (docs/cost.md)");
+    command->add_flag("--accuracy", o->accuracy, "Measure errors over all inputs instead");
+    command->add_flag("--grid", o->grid, "Find the shortest word lengths that will do instead");
+    command->add_option("--lobe", o->lobe, "Lobes, or all; with --fpga also table: a rival, c^n in block RAM");
+    command->add_option("--profile", o->profile, "Profiles: p8, p12, p16 or the lobe's F,..,O");
+    command->add_option("--device", o->device, "hx8k (default), up5k, ecp5-25k, xc7; table: also all, and a CPU");
+    command->add_option("--json", o->json, "Write the table as JSON; merge what is measured into this file");
+    CostTableOptions& table = o->table;
+    o->of_table = {
+        command->add_option("--n", table.n, "Exponents of the errors: first:last or all")->capture_default_str(),
+        command->add_option("--cosine", table.cosine, "Their cosine: rounded or exact")->capture_default_str(),
+        command->add_option("--sort", table.sort, "Metric: error, luts, latency, ns, ...")->capture_default_str(),
+        command->add_option("--pareto", table.pareto, "What decides who is dominated")->capture_default_str(),
+        command->add_option("--data", table.data, "Folder of accuracy.json, fpga.json, cpu.json")
+            ->capture_default_str(),
+        command->add_option("--csv", table.csv, "Write the table as CSV"),
+        command->add_option("--plots", table.plots, "Write its plots to this folder"),
+    };
+    FpgaOptions& on_fpga = o->on_fpga;
+    o->of_fpga = {
+        command->add_option("--architecture", on_fpga.architecture,
+                            "--fpga: architectures (docs/rtl.md), or all; else each lobe's default"),
+        command->add_option("--dsp", on_fpga.dsp, "--fpga: on, off or both")->capture_default_str(),
+        command->add_option("--seeds", on_fpga.seeds, "--fpga: of place and route; the clock is the median")
+            ->capture_default_str(),
+    };
+    GridOptions& grid = o->word_lengths;
+    o->of_grid = {
+        add_integer(*command, "--F", grid.F, 8, 30, "--grid: fraction bits of the cosine"),
+        add_integer(*command, "--O", grid.O, 4, 28, "--grid: fraction bits of the output"),
+        add_integer(*command, "--most", grid.most, 1, 1000, "--grid: formats to synthesize"),
+    };
+    command->add_option("--rtl", on_fpga.rtl, "Folder of the Verilog")->capture_default_str();
+    command->add_option("--cache", on_fpga.cache, "Folder that keeps what was synthesized")->capture_default_str();
+    add_integer(*command, "-j,--jobs", o->jobs, 0, most_threads, "Units at a time; 0: one a core");
+    add_integer(*command, "--threads", o->threads, 0, most_threads, "Threads that measure errors; 0: one a core");
+    command->footer("Example: glint cost --device hx8k --n 8:1000 --sort luts");
+    command->callback([=, &chosen] { chosen.run = [=, &chosen] { return run_cost(*o, chosen.command); }; });
 }
 
 }  // namespace glint::cli

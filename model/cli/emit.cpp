@@ -90,8 +90,7 @@ void add_emit(CLI::App& app, Chosen& chosen) {
     command->add_option("--profile", options->profile, "Profiles: p8, p12, p16 or the lobe's F,..,O")
         ->capture_default_str();
     command->add_option("--architecture", options->architecture,
-                        "Default parameters of the Verilog: restoring, radix4, iterative or reciprocal, then :rN, :mN; "
-                        "without a divider pipelined[:mN] (docs/rtl.md)");
+                        "How the Verilog is built: iterative, radix4:r2, ... (docs/rtl.md)");
     command->add_option("--target", options->target, "verilog, hls, proof or all")->capture_default_str();
     command->add_option("-o,--output", options->folder, "Folder")->capture_default_str();
     command->footer("Example: glint emit --lobe bps --profile 18,14,14,12 -o out");

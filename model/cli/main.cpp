@@ -13,7 +13,8 @@ int main(int argc, char** argv) {
     glint::cli::add_emit(app, chosen);
     add_fit(app, chosen);
     glint::cli::add_cases(app, chosen);
-    glint::cli::add_cost(app, chosen);
     glint::cli::add_report(app, chosen);
+    glint::cli::add_cost(app, chosen);
+    glint::cli::add_choose(app, chosen);
     return glint::cli::run(app, argc, argv, [&] { return chosen.run(); });
 }

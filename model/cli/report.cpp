@@ -30,10 +30,16 @@ int report(const ReportOptions& options) {
         cpu = read_cpu_prices(options.cpu);
         command += " --cpu " + options.cpu;
     }
+    std::optional<CostReport> cost;
+    if (!options.cost.empty()) {
+        cost = read_cost_report(options.cost);
+        command += " --cost " + options.cost;
+    }
     command += " -o " + options.output;
 
     const std::vector<MeasuredRun> measured = measured_runs(files);
-    PlotData plots{curves(50), error_map("p12"), schlick_errors(), {}, paper_data()};
+    PlotData plots{curves(50), error_map("p12"), schlick_errors(), {}, paper_data(), {}};
+    if (cost) plots.cost = cost->plots;
     std::copy_if(measured.begin(), measured.end(), std::back_inserter(plots.measured),
                  [](const MeasuredRun& run) { return !run.accuracy().rows.empty(); });
     // A plot holds four curves apart; of more, those of the lobe that the page begins with. The tables have all.
@@ -56,7 +62,7 @@ int report(const ReportOptions& options) {
     for (const std::string_view theme : themes) {
         if (!plots.measured.empty()) write(overview_file(theme), pictures.at(overview_file(theme)));
     }
-    write("index.html", page({files, proofs, cpu, measured, plots, pictures, command}));
+    write("index.html", page({files, proofs, cpu, cost, measured, plots, pictures, command}));
     return success;
 }
 

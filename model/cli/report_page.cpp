@@ -107,6 +107,7 @@ public:
         out += style;
         out += "</style>\n</head>\n<body>\n";
         out += introduction() + choosing_section(data_.plots.paper, data_.cpu);
+        out += cost_section(data_.cost, data_.pictures);
         out += accuracy_section() + proofs_section() + runs_section() + plots_section();
         out += paper_sections(data_.plots.paper, data_.cpu, data_.pictures, data_.command);
         out += speed_section(data_.cpu, data_.files);

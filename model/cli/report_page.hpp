@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "cost_page.hpp"
 #include "cpu_prices.hpp"
 #include "report_plots.hpp"
 
@@ -14,6 +15,7 @@ struct PageData {
     const std::vector<ResultFile>& files;
     const std::optional<ProofsFile>& proofs;
     const std::optional<CpuPrices>& cpu;
+    const std::optional<CostReport>& cost;
     std::vector<MeasuredRun> measured;
     const PlotData& plots;
     const Pictures& pictures;

@@ -171,6 +171,7 @@ Pictures draw(const PlotData& data) {
         if (!data.measured.empty()) script += overview(data, theme, pictures);
     }
     script += paper_plots(data.paper, pictures);
+    if (data.cost) script += cost_plots(*data.cost, pictures);
     return run_gnuplot(script, pictures);
 }
 

@@ -1,10 +1,12 @@
 // The plots of the report.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "cost_plots.hpp"
 #include "report_data.hpp"
 #include "report_gnuplot.hpp"
 #include "report_paper.hpp"
@@ -27,6 +29,7 @@ struct PlotData {
     std::vector<AngleError> schlick;    ///< for n = 1 .. max_n
     std::vector<MeasuredRun> measured;  ///< with rows; empty: no plots over n
     PaperData paper;
+    std::optional<CostPlotData> cost;  ///< none: no plots of cost
 };
 
 /// All pictures by file name. Throws Error as run_gnuplot does.

@@ -29,10 +29,8 @@ struct RunResult {
     std::string profile;
     int F = 0;
     int O = 0;
-    std::string unit;  ///< "model", "core" or "axis"
-    std::string
-        architecture;  ///< of a unit of Verilog (glint/architecture.hpp); empty where the results do not name it
-    std::string test;  ///< "sweep", "stream", "illegal" or "reset"
+    std::string unit;          ///< "model", "core" or "axis"
+    std::string architecture;  ///< of a unit of Verilog; empty where the results do not name it
     bool exhaustive = false;
     std::uint64_t inputs = 0;
     double seconds = 0.0;

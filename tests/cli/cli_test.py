@@ -22,6 +22,7 @@ import xml.etree.ElementTree
 from pathlib import Path
 
 from case import BITS, Case, OPTIONS, PROFILES, ROOT
+from choose_test import Choose, Cost, Prices  # noqa: F401, chosen by name
 from report_test import Report  # noqa: F401, chosen by name
 
 

@@ -9,6 +9,7 @@ import sys
 import xml.etree.ElementTree
 
 from case import Case, ROOT
+from choose_test import write_prices
 
 
 class Report(Case):
@@ -100,6 +101,38 @@ class Report(Case):
         (self.folder / "proofs.json").write_text(json.dumps(proofs))
         self.good("report", "--results", "sweep.json", "--proofs", "proofs.json", "-o", "page")
         self.matches(self.section("proven")[0], r"bps p8: the rounding error of the results, 0\.\d+ ulp, is above")
+
+    def test_cost(self):
+        """The rows that are not dominated, of each device, with the errors for n from 8 to 1000; and the plots."""
+        self.results()
+        self.good("report", "--results", "sweep.json", "-o", "page")
+        text, rows = self.section("cost")
+        self.equal(rows, [])
+        self.true("--cost" in text and "glint cost --accuracy" in text, f"how to get the section: {text}")
+        write_prices(self.folder)
+        self.good("report", "--results", "sweep.json", "--cost", "cost", "-o", "page")
+        text, rows = self.section("cost")
+        for device in ("hx8k", "up5k", "xc7"):
+            self.good("cost", "--device", device, "--n", "8:1000", "--json", "out.json")
+            front = [c for c in json.loads(self.read("out.json"))["configurations"] if not c["dominated"]]
+            self.true(len(front) > 0, device)
+            for c in front:
+                found = [row for row in rows if row[:2] == [f"{c['lobe']} {c['profile']}", c["architecture"]]]
+                self.true(any(row[3] == str(c["luts"]) for row in found), f"{c} in {rows}")
+                self.near(float(found[0][2]) / c["error"], 1, 0.005)
+        self.true(not any(row[0].startswith("gauss") for row in rows), "a row that is dominated")
+        self.equal(self.read("page/index.html").count("no other beats in both"), 3 + 3)  # text, and for who cannot see
+
+    def test_cost_plots(self):
+        write_prices(self.folder)
+        self.good("cost", "--n", "8:1000", "--plots", "plots")
+        names = [f"cost-{axis}-{theme}-{layout}.svg" for axis in ("latency", "luts", "ns") for theme in ("dark", "light")
+                 for layout in ("narrow", "wide")]
+        self.equal(self.files(), ["cost/accuracy.json", "cost/fpga.json",
+                                  *sorted(f"plots/{name}" for name in [*names, "pareto-dark.svg", "pareto-light.svg"])])
+        for name in names:
+            text = "".join(xml.etree.ElementTree.fromstring(self.read(f"plots/{name}")).itertext())
+            self.true("blinn_phong p12" in text, f"{name}: {text}")
 
     def test_hard_cases(self):
         """Each row that `glint cases` prints for the lobe and for the streams, cell by cell, and its explanation."""

@@ -36,7 +36,7 @@ class Cost(Case):
 class Refusals(Cost):
     def test_refusals(self):
         for pattern, arguments in (
-            ("--fpga", []),
+            ("'cost/accuracy.json' is not there", []),
             ("device 'hx9k' is not known: hx8k, up5k, ecp5-25k, xc7", ["--fpga", "--device", "hx9k"]),
             ("--dsp 'maybe' is not legal", ["--fpga", "--dsp", "maybe"]),
             ("--seeds '0' is not legal", ["--fpga", "--seeds", "0"]),
@@ -63,6 +63,36 @@ class Refusals(Cost):
             path.write_text(text)
             self.refused(pattern, "cost", "--fpga", *SMALL, *RTL, "--device", "xc7", "--json", "prices.json")
             self.equal(path.read_text(), text)
+
+
+class Grid(Cost):
+    def grid(self, *arguments):
+        self.good("cost", "--grid", "--F", 8, "--O", 4, "--most", 2, *RTL, "--cache", "cache", "--json", "grid.json",
+                  *arguments)
+        return json.loads(self.read("grid.json"))["grids"]
+
+    def rounding(self, lobe, profile):
+        self.run_tool("sweep", "--lobe", lobe, "--profile", profile, "--json", "sweep.json")
+        run, = json.loads(self.read("sweep.json"))["runs"]
+        self.equal(run["exhaustive"], True)
+        return run["accuracy"]["total"]["rounding"]["max_ulp"]
+
+    def test_grid(self):
+        """Formats keep the promise over all inputs, with a bit less they do not; another lobe joins the file."""
+        found, = self.grid("--lobe", "quadratic")
+        own, *least = found["formats"]
+        self.equal((own["profile"], found["device"], found["dsp"]), ("8,5,6,4", "hx8k", False))
+        self.true(0 < len(least) <= 2, f"{found}")
+        for form in least:
+            self.true(form["luts"] > 0 and form["registers"] > 0, f"{form}")
+            self.near(self.rounding("quadratic", form["profile"]), form["rounding_ulp"], 1e-12)
+            self.true(form["rounding_ulp"] < 1, f"{form}")
+            F, S, K, O = map(int, form["profile"].split(","))
+            for fewer in ((F, S - 1, K, O), (F, S, K - 1, O)):
+                if min(fewer[1:3]) >= O:  # a legal profile
+                    self.true(self.rounding("quadratic", ",".join(map(str, fewer))) >= 1, f"{fewer}")
+        self.equal([grid["lobe"] for grid in self.grid("--lobe", "cosine_power")], ["quadratic", "cosine_power"])
+        self.equal(self.grid("--lobe", "quadratic")[0], found)
 
 
 class Cache(Cost):

@@ -1,5 +1,6 @@
 #include "glint/profile.hpp"
 
+#include <algorithm>
 #include <string>
 
 #include "catch.hpp"
@@ -58,5 +59,30 @@ TEST_CASE("ranges") {
     for (const char* text : {"", "0", "1024", "5:4", "1:10:0", "1:10:-1", "1:2:3:4", "a", "1:", ":1", "1.5"}) {
         CAPTURE(text);
         CHECK_THROWS_AS(parse_range(text, "--n", 1, 1023), Error);
+    }
+}
+
+TEST_CASE("profile: the numbers of a shipped profile give a custom one with the same integers") {
+    for (const Lobe& lobe : lobes()) {
+        REQUIRE(lobe.numbers != nullptr);
+        for (const Profile& shipped : shipped_profiles()) {
+            const std::vector<int> numbers = lobe.numbers(shipped.F, shipped.O);
+            REQUIRE(numbers.size() ==
+                    static_cast<std::size_t>(std::count(lobe.custom.begin(), lobe.custom.end(), ',')) + 1);
+            std::string text;
+            for (const int number : numbers) text += (text.empty() ? "" : ",") + std::to_string(number);
+            const auto custom = lobe.golden(parse_profile(text));
+            const auto golden = lobe.golden(shipped);
+            int differing = 0;
+            for (int n = 1; n <= max_n; n += 7) {
+                for (int i = 1; i < 40; ++i) {
+                    // Near 1, where the results are, and down to 0.
+                    const int code = shipped.one() - (shipped.one() >> (i / 2)) * (1 + i % 2) / 2;
+                    if (custom->eval(n, code) != golden->eval(n, code)) ++differing;
+                }
+            }
+            INFO(lobe.name << " " << text);
+            CHECK(differing == 0);
+        }
     }
 }

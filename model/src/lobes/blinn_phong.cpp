@@ -75,8 +75,16 @@ std::vector<HardCase> blinn_phong_hard_cases(const GoldenModel& model) {
 Lobe blinn_phong_lobe();
 
 Lobe blinn_phong_lobe() {
-    return {"blinn_phong",    "c^n as exp2(n log2 c)", "F,T,L,E,S,O",         reference::blinn_phong,
-            make_blinn_phong, emit_blinn_phong,        blinn_phong_hard_cases};
+    return {"blinn_phong",
+            "c^n as exp2(n log2 c)",
+            "F,T,L,E,S,O",
+            reference::blinn_phong,
+            make_blinn_phong,
+            emit_blinn_phong,
+            blinn_phong_hard_cases,
+            {},
+            false,
+            exp_log::shipped_numbers};
 }
 
 }  // namespace glint

@@ -142,6 +142,8 @@ private:
     BpsFormat f_;
 };
 
+std::vector<int> bps_numbers(int F, int O) { return {F, O + 3, O + 3, O}; }
+
 int in_range(std::string_view what, int value, int low, int high) {
     if (value < low || value > high) {
         throw Error(fmt::format("{} = {} is not legal for bps: {} to {}", what, value, low, high));
@@ -153,17 +155,14 @@ int in_range(std::string_view what, int value, int low, int high) {
 
 BpsFormat bps_format(const Profile& profile) {
     BpsFormat f{.F = profile.F, .O = profile.O};
-    if (profile.shipped()) {
-        f.S = f.K = profile.O + 3;
-    } else {
-        if (profile.custom.size() != 4) {
-            throw Error(fmt::format("profile '{}' is not legal for bps: four numbers F,S,K,O", profile.argument()));
-        }
-        in_range("F", f.F, 8, 30);
-        in_range("O", f.O, 4, 28);
-        f.S = in_range("S", profile.custom[1], f.O, 30);
-        f.K = in_range("K", profile.custom[2], f.O, 30);
+    const std::vector<int> numbers = profile.shipped() ? bps_numbers(profile.F, profile.O) : profile.custom;
+    if (numbers.size() != 4) {
+        throw Error(fmt::format("profile '{}' is not legal for bps: four numbers F,S,K,O", profile.argument()));
     }
+    in_range("F", f.F, 8, 30);
+    in_range("O", f.O, 4, 28);
+    f.S = in_range("S", numbers[1], f.O, 30);
+    f.K = in_range("K", numbers[2], f.O, 30);
     f.a = quantize_constant(reference::bps_constants.a, f.K);
     f.b = quantize_constant(reference::bps_constants.b, f.K);
     f.c1 = quantize_constant(reference::bps_constants.c1, f.K);
@@ -179,15 +178,11 @@ BpsFormat bps_format(const Profile& profile) {
 Lobe bps_lobe();
 
 Lobe bps_lobe() {
-    return {"bps",
-            "a s^3 + b s^2 + c1 s + d0, s = c / (n - n c + c)",
-            "F,S,K,O",
-            reference::bps_horner,
-            make_bps,
-            emit_bps,
-            bps_hard_cases,
-            {},
-            true};
+    return {"bps",          "a s^3 + b s^2 + c1 s + d0, s = c / (n - n c + c)",
+            "F,S,K,O",      reference::bps_horner,
+            make_bps,       emit_bps,
+            bps_hard_cases, {},
+            true,           bps_numbers};
 }
 
 std::unique_ptr<GoldenModel> make_bps(const Profile& profile) {

@@ -78,8 +78,13 @@ struct CayleyFormat {
     double real(double c, double n) const { return cayley_in_domain(c, n, a); }
 };
 
+std::vector<int> cayley_numbers(int F, int O) { return {F, 0, O + 5, O}; }
+
 CayleyFormat cayley_format(const Profile& profile) {
-    if (profile.shipped()) return {profile.F, 0, profile.O + 5, profile.O};
+    if (profile.shipped()) {
+        const std::vector<int> numbers = cayley_numbers(profile.F, profile.O);
+        return {numbers[0], numbers[1], numbers[2], numbers[3]};
+    }
     check_custom(profile, "cayley", "F,a,S,O");
     const int a = profile.custom[1];
     const int S = profile.custom[2];
@@ -241,7 +246,8 @@ Lobe cayley_lobe() {
             emit_cayley,
             cayley_hard_cases,
             {},
-            true};
+            true,
+            cayley_numbers};
 }
 
 }  // namespace glint

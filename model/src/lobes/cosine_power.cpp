@@ -61,9 +61,13 @@ struct CosinePowerFormat {
     double real(double c, double n) const { return power(c, n, log2_a); }
 };
 
+std::vector<int> cosine_power_numbers(int F, int O) { return {F, 1 << shipped_log2_a, O + 4, O}; }
+
 CosinePowerFormat cosine_power_format(const Profile& profile) {
     constexpr std::string_view lobe = CosinePowerFormat::lobe;
-    if (profile.shipped()) return {profile.F, shipped_log2_a, profile.O + 4, profile.O};
+    if (profile.shipped()) {
+        return {profile.F, shipped_log2_a, cosine_power_numbers(profile.F, profile.O)[2], profile.O};
+    }
     check_custom(profile, lobe, "F,a,S,O");
     const int a = profile.custom[1];
     if (a < 2 || a > 64 || !std::has_single_bit(static_cast<unsigned>(a))) {
@@ -176,7 +180,10 @@ Lobe cosine_power_lobe() {
             reference_cosine_power,
             make_cosine_power,
             emit_cosine_power,
-            cosine_power_hard_cases};
+            cosine_power_hard_cases,
+            {},
+            false,
+            cosine_power_numbers};
 }
 
 }  // namespace glint

@@ -114,16 +114,14 @@ struct CubicFormat {
     }
 };
 
+std::vector<int> cubic_numbers(int F, int O) { return {F, O + 4, O + 6, O}; }
+
 CubicFormat cubic_format(const Profile& profile) {
     CubicFormat f{.F = profile.F, .O = profile.O, .rows = {}};
-    if (profile.shipped()) {
-        f.S = profile.O + 4;
-        f.K = profile.O + 6;
-    } else {
-        check_custom(profile, "cubic", "F,S,K,O");
-        f.S = in_range("cubic", "S", profile.custom[1], f.O, f.F);
-        f.K = in_range("cubic", "K", profile.custom[2], f.O, 30);
-    }
+    if (!profile.shipped()) check_custom(profile, "cubic", "F,S,K,O");
+    const std::vector<int> numbers = profile.shipped() ? cubic_numbers(profile.F, profile.O) : profile.custom;
+    f.S = in_range("cubic", "S", numbers[1], f.O, f.F);
+    f.K = in_range("cubic", "K", numbers[2], f.O, 30);
     const auto code = [&](Real x) { return static_cast<std::int64_t>(std::round(std::ldexp(x, f.K))); };
     for (int n = 0; n <= max_n; ++n) {
         const Coefficients k = coefficients(std::max(n, 1));
@@ -222,10 +220,16 @@ std::vector<HardCase> cubic_hard_cases(const GoldenModel& model) {
 Lobe cubic_lobe();
 
 Lobe cubic_lobe() {
-    return {"cubic",         "A c^3 + B c^2 + C c through 1, 1/2 and 1/18 where c^n is that; 0 from its minimum on",
-            "F,S,K,O",       cubic_reference,
-            make_cubic,      emit_cubic,
-            cubic_hard_cases};
+    return {"cubic",
+            "A c^3 + B c^2 + C c through 1, 1/2 and 1/18 where c^n is that; 0 from its minimum on",
+            "F,S,K,O",
+            cubic_reference,
+            make_cubic,
+            emit_cubic,
+            cubic_hard_cases,
+            {},
+            false,
+            cubic_numbers};
 }
 
 }  // namespace glint

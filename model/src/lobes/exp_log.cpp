@@ -130,11 +130,13 @@ Exp2::Steps Exp2::steps(std::int64_t t) const {
 
 Table Exp2::table() const { return pieces.table("exp2", S + 1, S - E + 1 + pieces.G, S - 2 * E + pieces.G); }
 
+std::vector<int> shipped_numbers(int F, int O) { return {F, O / 4 + 2, O + 13, O / 4, O + 4, O}; }
+
 WordLengths word_lengths(std::string_view lobe, const Profile& profile) {
-    if (profile.shipped()) return {profile.O / 4 + 2, profile.O + 13, profile.O / 4, profile.O + 4};
-    check_custom(profile, lobe, "F,T,L,E,S,O");
-    in_range(lobe, "S", profile.custom[4], profile.O + 1, profile.custom[2] - 1);  // t is rounded from L bits to S
-    return {profile.custom[1], profile.custom[2], profile.custom[3], profile.custom[4]};
+    if (!profile.shipped()) check_custom(profile, lobe, "F,T,L,E,S,O");
+    const std::vector<int> numbers = profile.shipped() ? shipped_numbers(profile.F, profile.O) : profile.custom;
+    in_range(lobe, "S", numbers[4], profile.O + 1, numbers[2] - 1);  // t is rounded from L bits to S
+    return {numbers[1], numbers[2], numbers[3], numbers[4]};
 }
 
 Log2 make_log2(std::string_view lobe, int F, int T, int L, int cut) {

@@ -84,6 +84,9 @@ struct WordLengths {
 };
 WordLengths word_lengths(std::string_view lobe, const Profile& profile);
 
+/// Lobe::numbers of such a lobe.
+std::vector<int> shipped_numbers(int F, int O);
+
 /// Throw Error unless the word lengths are legal (docs/exp-log.md).
 Log2 make_log2(std::string_view lobe, int F, int T, int L, int cut = 0);
 Exp2 make_exp2(std::string_view lobe, int E, int S, int O);

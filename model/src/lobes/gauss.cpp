@@ -108,8 +108,16 @@ std::vector<HardCase> gauss_hard_cases(const GoldenModel& model) {
 Lobe gauss_lobe();
 
 Lobe gauss_lobe() {
-    return {"gauss",         "exp(-n theta^2 / 2), theta = acos c", "F,T,L,E,S,O", gauss, make_gauss, emit_gauss,
-            gauss_hard_cases};
+    return {"gauss",
+            "exp(-n theta^2 / 2), theta = acos c",
+            "F,T,L,E,S,O",
+            gauss,
+            make_gauss,
+            emit_gauss,
+            gauss_hard_cases,
+            {},
+            false,
+            exp_log::shipped_numbers};
 }
 
 }  // namespace glint

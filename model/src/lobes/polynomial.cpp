@@ -128,20 +128,21 @@ struct PolynomialFormat {
     }
 };
 
+std::vector<int> polynomial_numbers(int F, int O) { return {F, O + 3, O + 3, O}; }
+
 PolynomialFormat polynomial_format(const Profile& profile) {
     constexpr std::string_view lobe = PolynomialFormat::lobe;
     PolynomialFormat f{profile.options.empty() ? shipped_polynomial() : parse_polynomial(profile.options),
                        profile.F,
-                       profile.O + 3,
-                       profile.O + 3,
+                       0,
+                       0,
                        profile.O,
                        0,
                        {}};
-    if (!profile.shipped()) {
-        check_custom(profile, lobe, "F,S,K,O");
-        f.S = in_range(lobe, "S", profile.custom[1], f.O, 30);
-        f.K = in_range(lobe, "K", profile.custom[2], f.O, 30);
-    }
+    if (!profile.shipped()) check_custom(profile, lobe, "F,S,K,O");
+    const std::vector<int> numbers = profile.shipped() ? polynomial_numbers(profile.F, profile.O) : profile.custom;
+    f.S = in_range(lobe, "S", numbers[1], f.O, 30);
+    f.K = in_range(lobe, "K", numbers[2], f.O, 30);
     for (const double c : f.polynomial.coefficients) f.k.push_back(quantize_constant(c, f.K));
     f.words();
     return f;
@@ -324,7 +325,8 @@ Lobe polynomial_lobe() {
             emit_polynomial,
             polynomial_hard_cases,
             "VARIABLE:k0:k1:...",
-            true};
+            true,
+            polynomial_numbers};
 }
 
 }  // namespace glint

@@ -44,15 +44,16 @@ struct QuadraticFormat {
     double real(double c, double n) const { return quadratic(c, n); }
 };
 
+std::vector<int> quadratic_numbers(int F, int O) { return {F, O + 1, O + 2, O}; }
+
 QuadraticFormat quadratic_format(const Profile& profile) {
     constexpr std::string_view lobe = QuadraticFormat::lobe;
-    QuadraticFormat f{profile.F, profile.O + 1, profile.O + 2, profile.O};
-    if (!profile.shipped()) {
-        check_custom(profile, lobe, "F,S,K,O");
-        in_range(lobe, "O", f.O, 4, std::min(28, 52 - f.F));
-        f.K = in_range(lobe, "K", profile.custom[2], f.O, std::min(30, 52 - f.F));
-        f.S = in_range(lobe, "S", profile.custom[1], f.O, std::min(30, f.F + f.K));
-    }
+    if (!profile.shipped()) check_custom(profile, lobe, "F,S,K,O");
+    const std::vector<int> numbers = profile.shipped() ? quadratic_numbers(profile.F, profile.O) : profile.custom;
+    QuadraticFormat f{profile.F, 0, 0, profile.O};
+    in_range(lobe, "O", f.O, 4, std::min(28, 52 - f.F));
+    f.K = in_range(lobe, "K", numbers[2], f.O, std::min(30, 52 - f.F));
+    f.S = in_range(lobe, "S", numbers[1], f.O, std::min(30, f.F + f.K));
     f.slope = quantize_constant(quadratic_slope, f.K);
     return f;
 }
@@ -146,7 +147,10 @@ Lobe quadratic_lobe() {
             reference_quadratic,
             make_quadratic,
             emit_quadratic,
-            quadratic_hard_cases};
+            quadratic_hard_cases,
+            {},
+            false,
+            quadratic_numbers};
 }
 
 }  // namespace glint

@@ -31,6 +31,8 @@ struct SchlickFormat {
     double real(double c, double n) const { return reference::schlick(c, n); }
 };
 
+std::vector<int> schlick_numbers(int F, int O) { return {F, O}; }
+
 SchlickFormat schlick_format(const Profile& profile) {
     if (!profile.shipped()) check_custom(profile, "schlick", "F,O");
     return {profile.F, profile.O};
@@ -79,7 +81,7 @@ Lobe schlick_lobe();
 Lobe schlick_lobe() {
     return {
         "schlick", "c / (n - n c + c)", "F,O", reference::schlick, make_schlick, emit_schlick, common_hard_cases, {},
-        true};
+        true,      schlick_numbers};
 }
 
 }  // namespace glint

@@ -45,17 +45,16 @@ struct SphericalGaussianFormat {
     double real(double c, double n) const { return spherical_gaussian_in_domain(c, n); }
 };
 
+std::vector<int> spherical_gaussian_numbers(int F, int O) { return {F, O + 1, O / 4, O + 4, O}; }
+
 SphericalGaussianFormat spherical_gaussian_format(const Profile& profile) {
     constexpr std::string_view lobe = SphericalGaussianFormat::lobe;
-    int K = profile.O + 1;
-    int E = profile.O / 4;
-    int S = profile.O + 4;
-    if (!profile.shipped()) {
-        check_custom(profile, lobe, "F,K,E,S,O");
-        K = in_range(lobe, "K", profile.custom[1], 4, 51 - profile.F);
-        E = profile.custom[2];
-        S = profile.custom[3];
-    }
+    if (!profile.shipped()) check_custom(profile, lobe, "F,K,E,S,O");
+    const std::vector<int> numbers =
+        profile.shipped() ? spherical_gaussian_numbers(profile.F, profile.O) : profile.custom;
+    const int K = in_range(lobe, "K", numbers[1], 4, 51 - profile.F);
+    const int E = numbers[2];
+    const int S = numbers[3];
     SphericalGaussianFormat f{profile.F, K, 0, 0, exp_log::make_exp2(lobe, E, S, profile.O)};
     in_range(lobe, "S", S, profile.O + 1, K + profile.F - 1);
     const exp_log::Wide log2_e = exp_log::over_ln2(exp_log::wide_one);
@@ -101,9 +100,16 @@ std::vector<HardCase> spherical_gaussian_hard_cases(const GoldenModel& model) {
 Lobe spherical_gaussian_lobe();
 
 Lobe spherical_gaussian_lobe() {
-    return {"spherical_gaussian",         "exp((n + 0.775) (c - 1))", "F,K,E,S,O",
-            spherical_gaussian,           make_spherical_gaussian,    emit_spherical_gaussian,
-            spherical_gaussian_hard_cases};
+    return {"spherical_gaussian",
+            "exp((n + 0.775) (c - 1))",
+            "F,K,E,S,O",
+            spherical_gaussian,
+            make_spherical_gaussian,
+            emit_spherical_gaussian,
+            spherical_gaussian_hard_cases,
+            {},
+            false,
+            spherical_gaussian_numbers};
 }
 
 }  // namespace glint

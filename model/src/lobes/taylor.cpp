@@ -73,13 +73,15 @@ struct TaylorFormat {
     double real(double c, double n) const { return taylor_in_domain(c, n, 1 << log_a); }
 };
 
+// At p16 the jump from 2^-16 to 0 is an ulp: there e is as fine as it takes to jump at the real function's place.
+std::vector<int> taylor_numbers(int F, int O) { return {F, 16, O + (O < 16 ? 12 : 14), O + 6, O}; }
+
 TaylorFormat taylor_format(const Profile& profile) {
-    // At p16 the jump from 2^-16 to 0 is an ulp: there e is as fine as it takes to jump at the real function's place.
-    if (profile.shipped()) return {profile.F, 4, profile.O + (profile.O < 16 ? 12 : 14), profile.O + 6, profile.O};
-    check_custom(profile, "taylor", "F,a,E,S,O");
-    const int a = profile.custom[1];
-    const int E = profile.custom[2];
-    const int S = profile.custom[3];
+    if (!profile.shipped()) check_custom(profile, "taylor", "F,a,E,S,O");
+    const std::vector<int> numbers = profile.shipped() ? taylor_numbers(profile.F, profile.O) : profile.custom;
+    const int a = numbers[1];
+    const int E = numbers[2];
+    const int S = numbers[3];
     if (a != 8 && a != 16 && a != 32) {
         throw Error(fmt::format("a = {} is not legal for taylor: 8, 16, 32; 16 is the lobe's own", a));
     }
@@ -238,7 +240,10 @@ Lobe taylor_lobe() {
             taylor_reference,
             make_taylor,
             emit_taylor,
-            taylor_hard_cases};
+            taylor_hard_cases,
+            {},
+            false,
+            taylor_numbers};
 }
 
 }  // namespace glint

@@ -1,0 +1,27 @@
+// "What accuracy costs": a section of the report, from the files of cost/.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "cost_data.hpp"
+#include "cost_plots.hpp"
+#include "report_html.hpp"
+
+namespace glint::cli {
+
+/// What the section shows: the prices with their errors, and the plots of one device.
+struct CostReport {
+    std::string folder;
+    CostData data;
+    Scope scope{{8, 1000, 1}, Cosine::rounded, {}};  ///< the exponents that the papers speak of
+    std::string device;
+    CostPlotData plots;
+};
+
+/// Throws Error: files that are missing or cannot be used.
+CostReport read_cost_report(const std::string& folder);
+
+std::string cost_section(const std::optional<CostReport>& cost, const Pictures& pictures);
+
+}  // namespace glint::cli
