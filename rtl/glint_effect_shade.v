@@ -40,12 +40,23 @@ module glint_effect_shade #(
 
     localparam [N:0] BUILT_DIFFUSE  = MASK & DIFFUSE;
     localparam [N:0] BUILT_SPECULAR = MASK & ~DIFFUSE & ~{{N{1'b0}}, 1'b1};
+    localparam       BUILT          = ones(MASK);
     localparam       TOTAL_W        = 3 * (O + 8) + TAG_W + 1;
+
+    function integer ones(input [N:0] bits);
+        integer bit_number;
+        begin
+            ones = 0;
+            for (bit_number = 0; bit_number <= N; bit_number = bit_number + 1) begin
+                if (bits[bit_number]) ones = ones + 1;
+            end
+        end
+    endfunction
 
     // ---- input: what was accepted and not yet delivered ------------------------------------------------------------
     reg  [LOG_DEPTH:0] held_q;
     wire               deliver = valid_o & ready_i;
-    assign ready_o = rst_ni & ~held_q[LOG_DEPTH] & (&unit_ready_i);
+    assign ready_o = rst_ni & ~held_q[LOG_DEPTH] & (&(unit_ready_i | ~MASK[N:1]));
     assign start_o = valid_i & ready_o;
     always @(posedge clk_i) begin
         if (!rst_ni) held_q <= {(LOG_DEPTH + 1) {1'b0}};
@@ -57,22 +68,39 @@ module glint_effect_shade #(
     wire             join_valid = &here;
     wire [N:0]       asked;
     wire [TAG_W-1:0] join_tag;
+    // One bit for each that is built, and the tag below.
+    wire [TAG_W+BUILT-1:0] waiting_in, waiting_out;
+    assign waiting_in[TAG_W-1:0] = tag_i;
+    assign join_tag              = waiting_out[TAG_W-1:0];
     glint_fifo #(
-        .WIDTH    (N + 1 + TAG_W),
+        .WIDTH    (TAG_W + BUILT),
         .LOG_DEPTH(LOG_DEPTH)
     ) fifo_tag (
         .clk_i  (clk_i),
         .rst_ni (rst_ni),
         .push_i (start_o),
-        .data_i ({effects_i & MASK, tag_i}),
+        .data_i (waiting_in),
         .valid_o(here[0]),
         .pop_i  (join_valid),
-        .data_o ({asked, join_tag})
+        .data_o (waiting_out)
     );
+    genvar k;
+    generate
+        for (k = 0; k <= N; k = k + 1) begin : choice
+            if (MASK[k]) begin : built
+                localparam [N:0] BELOW = MASK & ~({(N + 1) {1'b1}} << k);
+                localparam       PLACE = TAG_W + ones(BELOW);
+                assign waiting_in[PLACE] = effects_i[k];
+                assign asked[k]          = waiting_out[PLACE];
+            end else begin : absent
+                assign asked[k] = 1'b0;
+                wire unused = &{1'b0, effects_i[k]};
+            end
+        end
+    endgenerate
 
     wire [N*(O+8)-1:0] terms;  // 0 where it was not asked for
     wire       [N-1:0] terms_clamped;
-    genvar k;
     generate
         for (k = 0; k < N; k = k + 1) begin : unit
             if (MASK[k+1]) begin : built

@@ -23,8 +23,8 @@ const EffectUnitKind& find_effect_unit(std::string_view effect, std::string_view
                              kind.lobe, kind.profile, with_mask(kind.mask));
     }
     throw Error(fmt::format(
-        "unit '{}{}{} {}{}' is not in this build, which has: {} (the CMake lists GLINT_EFFECTS, GLINT_EFFECT_LOBES, "
-        "GLINT_PROFILES and GLINT_SHADE_MASKS say)",
+        "unit '{}{}{} {}{}' is not in this build, which has: {} (the CMake lists GLINT_EFFECTS, GLINT_EFFECT_LOBES and "
+        "GLINT_PROFILES say)",
         effect, lobe.empty() ? "" : " ", lobe, profile, with_mask(mask), known));
 }
 

@@ -184,10 +184,9 @@ int cosim(const Options& options, const std::string& command) {
 int main(int argc, char** argv) {
     Options options;
     CLI::App app{"The Verilog, run by Verilator, against the golden model, bit for bit.", "glint-cosim"};
-    CLI::Option* effect = app.add_option("--effect", options.effect,
-                                         "Effects instead of lobes, or all; --lobe is that of phong and blinn_phong");
-    app.add_option("--mask", options.mask, "With --effect shade: units with these MASKs, separated by commas")
-        ->needs(effect);
+    CLI::Option* effect =
+        app.add_option("--effect", options.effect, "Effects instead of lobes, or all (phong, blinn_phong: of --lobe)");
+    app.add_option("--mask", options.mask, "Units of shade with these MASKs")->needs(effect);
     app.add_option("--lobe", options.lobe, "Lobes, separated by commas, or all")->capture_default_str();
     app.add_option("--profile", options.profile, "Profiles, separated by commas")->capture_default_str();
     CLI::Option* unit =

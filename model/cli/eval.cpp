@@ -163,8 +163,8 @@ private:
 void add_eval(CLI::App& app, Chosen& chosen) {
     auto options = std::make_shared<Options>();
     CLI::App* command = app.add_subcommand("eval", "One input with every intermediate value, or a stream of inputs");
-    CLI::Option* effect = command->add_option(
-        "--effect", options->effect, "An effect instead of a lobe: --<port> x or --<port>-code c for each input");
+    CLI::Option* effect =
+        command->add_option("--effect", options->effect, "An effect: --<port> x or --<port>-code c for each input");
     command->add_option("--lobe", options->lobe, "Lobe, with its options: polynomial:symmetric:0:-1:2")
         ->capture_default_str();
     command->add_option("--profile", options->profile, "p8, p12, p16 or the lobe's F,..,O")->capture_default_str();

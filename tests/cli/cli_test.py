@@ -422,7 +422,10 @@ class Emit(Case):
             self.true({("bps", "p8"), ("bps", "p12"), ("bps", "p16")} <= names, f"{folder}: {names}")
             for lobe, name in names:
                 profile = name.replace("_", ",")
-                self.good("emit", "--lobe", lobe, "--profile", profile, "--target", target, "-o", target)
+                choice = ["--lobe", lobe]
+                if lobe.startswith("effect_"):
+                    choice = ["--effect", lobe.removeprefix("effect_").removesuffix("_bps")]
+                self.good("emit", *choice, "--profile", profile, "--target", target, "-o", target)
             emitted = {path.name: path.read_text() for path in (self.folder / target).iterdir()}
             self.equal(sorted(committed), sorted(emitted), folder)
             for name, text in emitted.items():

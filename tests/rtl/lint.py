@@ -50,6 +50,7 @@ MODULES = {
         "F T E O TAG_W", ((11, 4, 2, 8, 1), (17, 4, 2, 8, 16), (15, 6, 4, 16, 1), (25, 6, 4, 16, 64))),
     "glint_effect_oren_nayar": ("F O TAG_W", ((7, 4, 1), (8, 4, 16), (30, 27, 64))),
     "glint_effect_ward": ("F T E O TAG_W", ((8, 4, 2, 4, 1), (30, 4, 2, 4, 16), (30, 6, 5, 20, 64))),
+    "glint_fifo": ("WIDTH LOG_DEPTH", ((1, 1), (47, 6), (300, 16))),
     "glint_axis": ("F O USER_W", ((8, 4, 1), (8, 28, 16), (30, 4, 1), (30, 28, 64))),
 }
 
@@ -174,6 +175,13 @@ def lint(tool, folders):
         for values in sets:
             silent(command(tool, top, with_parts(top), dict(zip(names.split(), values))))
             modules += 1
+    # shade with some of its effects; Verilator and Yosys want the number sized.
+    top = "glint_effect_shade_bps_p12"
+    files = [ROOT / file.replace("_P.v", "_p12.v") for file in table["glint_effect_shade_bps_P"]]
+    bits = int(re.search(r"parameter \[(\d+):0\] MASK", files[0].read_text())[1]) + 1
+    for mask in (0, *(1 << bit for bit in range(bits)), (1 << bits) - 2):
+        silent(command(tool, top, files, {"MASK": mask if tool == "iverilog" else f"{bits}'d{mask}"}))
+        modules += 1
     linted = {Path(file).stem for files in table.values() for file in files} | set(MODULES)
     for file in RTL.glob("*.v"):
         if file.stem not in linted:

@@ -88,3 +88,80 @@ TEST_CASE("phong and blinn_phong are the lobe in front of the surface, and 0 beh
     const auto with_options = find_effect("phong").golden(parse_profile("p12"), "polynomial:symmetric:0:0:3:-2");
     CHECK(with_options->profile().options == "symmetric:0:0:3:-2");
 }
+
+TEST_CASE("shade is ambient and two tints of the sums of what is asked for") {
+    struct Part {
+        std::string_view name;
+        bool diffuse;
+    };
+    const Part parts[] = {
+        {"lambert", true}, {"phong", false}, {"blinn_phong", false}, {"oren_nayar", true}, {"ward", false}};
+    for (const Profile& profile : shipped_profiles()) {
+        CAPTURE(profile.name);
+        const auto shade = find_effect("shade").golden(profile, "bps");
+        const auto make = [&](std::string_view name) { return find_effect(name).golden(profile, "bps"); };
+        const auto ambient = make("ambient");
+        const auto tint = make("tint");
+        const auto ports = shade->inputs();
+        REQUIRE(ports[0].name == "effects");
+        Random random(5);
+        std::uint64_t wrong = 0, dark = 0, corrected = 0;
+        for (int i = 0; i < 3000; ++i) {
+            Values in;
+            for (const EffectPort& port : ports) {
+                in.push_back(i % 4 == 0 ? random.between(port.least(), port.greatest())
+                                        : random.between(port.low, port.high));
+            }
+            const auto at = [&](const std::string& name) {
+                for (std::size_t p = 0; p < ports.size(); ++p) {
+                    if (ports[p].name == name) return in[p];
+                }
+                FAIL("no port " << name);
+                return in[0];
+            };
+            const auto colour = [&](const std::string& k, const std::string& light) {
+                return Values{at(k + "_r"),     at(k + "_g"),     at(k + "_b"),
+                              at(light + "_r"), at(light + "_g"), at(light + "_b")};
+            };
+            const std::int64_t most = (std::int64_t{256} << profile.O) - 1;
+            std::int64_t sums[2] = {0, 0};
+            bool any[2] = {false, false}, clamped = false;
+            for (int t = 0; t < 5; ++t) {
+                if ((in[0] >> (t + 1) & 1) == 0) continue;
+                const auto term = make(parts[t].name);
+                Values own;
+                for (const EffectPort& port : term->inputs()) {
+                    const std::string name(port.name);
+                    const bool parameter = port.kind == EffectPort::Kind::parameter && name != "n";
+                    own.push_back(at(parameter ? std::string(parts[t].name) + "_" + name : name));
+                }
+                const EffectResult y = term->eval_port(own);
+                const int kind = parts[t].diffuse ? 0 : 1;
+                sums[kind] = std::min(most, sums[kind] + y.values[0]);
+                any[kind] = true;
+                clamped |= y.clamped;
+            }
+            Values want(3);
+            if ((in[0] & 1) != 0) {
+                const EffectResult base = ambient->eval_port(colour("ka", "ia"));
+                want = base.values;
+                clamped |= base.clamped;
+            }
+            for (int kind = 0; kind < 2; ++kind) {
+                Values arguments = colour(kind == 0 ? "kd" : "ks", "i");
+                arguments.insert(arguments.begin(), sums[kind]);
+                const EffectResult part = tint->eval_port(arguments);
+                for (std::size_t c = 0; c < 3; ++c) want[c] += part.values[c];
+                clamped |= any[kind] && part.clamped;
+            }
+            for (std::int64_t& c : want) c = std::min(most, c);
+            wrong += !(shade->eval_port(in) == EffectResult{want, clamped});
+            dark += want == Values{0, 0, 0};
+            corrected += clamped;
+        }
+        CHECK(wrong == 0);
+        CHECK(dark < 2000);
+        CHECK(corrected > 300);
+        CHECK(corrected < 2700);
+    }
+}
