@@ -7,14 +7,15 @@
 
 namespace glint_hls {
 
-/// hx or hy: min(16 - 2^-H, abs(h) k) at H = O + 3 bits. The product is below 128 at F + O bits.
+/// hx or hy: min(16 - 2^-H, abs(h) k) at H = O + 3 bits. The product is at most 2^F (2^(O+7) - 1), with the half that
+/// rounds it still below 128 at F + O bits.
 template <int F, int O>
 uint<O + 7> ward_scaled(sint<F + 2> h, uint<O + 7> k) {
     constexpr int H = O + 3;
     const uint<F + 1> magnitude = h < 0 ? to_uint<F + 1>(-h) : to_uint<F + 1>(h);
-    const uint<F + O + 8> exact = to_uint<F + O + 8>(to_uint<F + O + 8>(magnitude) * to_uint<F + O + 8>(k));
-    const uint<O + 11> rounded = to_uint<O + 11>(rnd<F + O - H>(exact));
-    const uint<O + 11> most = to_uint<O + 11>(to_uint<O + 11>(uint<O + 11>{1} << (H + 4)) - 1U);
+    const uint<F + O + 7> exact = to_uint<F + O + 7>(to_uint<F + O + 7>(magnitude) * to_uint<F + O + 7>(k));
+    const uint<O + 10> rounded = to_uint<O + 10>(rnd<F + O - H>(exact));
+    const uint<O + 10> most = to_uint<O + 10>(to_uint<O + 10>(uint<O + 10>{1} << (H + 4)) - 1U);
     return to_uint<O + 7>(rounded < most ? rounded : most);
 }
 
@@ -57,8 +58,8 @@ void effect_ward(std::int32_t nl_port, std::int32_t nv_port, std::int32_t nh_por
     const uint<R_W> hx = ward_scaled<F, O>(ht.value, kx);
     const uint<R_W> hy = ward_scaled<F, O>(hb.value, ky);
     const uint<R_W> squares = to_uint<R_W>(to_uint<R_W>(hx * hx) + to_uint<R_W>(hy * hy));
-    const uint<T_W + 3> rounded = to_uint<T_W + 3>(rnd<O + 2>(squares));
-    const uint<T_W + 3> most = to_uint<T_W + 3>(to_uint<T_W + 3>(uint<T_W + 3>{1} << T_W) - 1U);
+    const uint<T_W + 2> rounded = to_uint<T_W + 2>(rnd<O + 2>(squares));
+    const uint<T_W + 2> most = to_uint<T_W + 2>(to_uint<T_W + 2>(uint<T_W + 2>{1} << T_W) - 1U);
     const uint<T_W> r2 = to_uint<T_W>(rounded < most ? rounded : most);
 
     // r2 2^F / (2^F + nh) as x 2^T_W / D with x <= D: T_W + 1 bits, of which the top one is 0.

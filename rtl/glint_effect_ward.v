@@ -119,7 +119,7 @@ module glint_effect_ward #(
     end
 
     // ---- r2 -----------------------------------------------------------------------------------------------------------
-    // |h| k <= 2^F (2^(O+7) - 1): F + O + 7 bits. Rounded to H bits by F + O - H = F - 3 it is at most 2^(O+10); above
+    // |h| k <= 2^F (2^(O+7) - 1): F + O + 7 bits. Rounded to H bits by F + O - H = F - 3 it is at most 2^(O+10) - 8; above
     // 2^(H+4) - 1 = 2^(O+7) - 1 it is cut to that: whatever has hx or hy of 16 is 0 in the end.
     localparam HX_W = H + 4;
     wire [2*HX_W-1:0] squares_x, squares_y;
@@ -130,11 +130,11 @@ module glint_effect_ward #(
             reg  [F+O+6:0] product_q;
             reg [HX_W-1:0] h_q;
             reg [2*HX_W-1:0] square_q;
-            wire [O+10:0] rounded = {1'b0, product_q[F+O+6:F-3]} + {{(O + 10) {1'b0}}, product_q[F-4]};
+            wire  [O+9:0] rounded = product_q[F+O+6:F-3] + {{(O + 9) {1'b0}}, product_q[F-4]};
             always @(posedge clk_i) begin
                 if (advance) begin
                     product_q <= {{(O + 6) {1'b0}}, h} * {{F{1'b0}}, scale};
-                    h_q       <= rounded[HX_W-1:0] | {HX_W{|rounded[O+10:HX_W]}};
+                    h_q       <= rounded[HX_W-1:0] | {HX_W{|rounded[O+9:HX_W]}};
                     square_q  <= {{HX_W{1'b0}}, h_q} * {{HX_W{1'b0}}, h_q};
                 end
             end
@@ -144,15 +144,16 @@ module glint_effect_ward #(
     assign squares_x = axis[0].square_q;
     assign squares_y = axis[1].square_q;
 
-    // The sum of the squares is at 2 H bits and below 2^9; r2 = rnd(sum, 2 H - S), 2 H - S = O + 2, cut to below 2^7.
+    // The sum of the squares is at most 2 (2^(O+7) - 1)^2 at 2 H bits; r2 = rnd(sum, 2 H - S), 2 H - S = O + 2, is at most
+    // 2^(O+13) - 2^7 and cut to below 2^(S+7) = 2^(O+11).
     reg [2*HX_W:0] squares_q;
     reg  [T_W-1:0] r2_q;
-    wire [T_W+2:0] r2_rounded = {1'b0, squares_q[2*HX_W:O+2]} + {{(T_W + 2) {1'b0}}, squares_q[O+1]};
+    wire [T_W+1:0] r2_rounded = squares_q[2*HX_W:O+2] + {{(T_W + 1) {1'b0}}, squares_q[O+1]};
     wire           unused_squares = &{1'b0, squares_q[O:0]};
     always @(posedge clk_i) begin
         if (advance) begin
             squares_q <= {1'b0, squares_x} + {1'b0, squares_y};
-            r2_q      <= r2_rounded[T_W-1:0] | {T_W{|r2_rounded[T_W+2:T_W]}};
+            r2_q      <= r2_rounded[T_W-1:0] | {T_W{|r2_rounded[T_W+1:T_W]}};
         end
     end
 
@@ -176,11 +177,14 @@ module glint_effect_ward #(
     ) divider (
         .clk_i      (clk_i),
         .enable_i   (advance),
+        .start_i    (1'b0),
         .dividend_i ({r2_q, {F{1'b0}}}),
         .divisor_i  ({1'b0, nh} + {2'b01, {F{1'b0}}}),
+        .beside_i   (1'b0),
+        .done_o     (),
         .quotient_o (t),
         .remainder_o(),
-        .divisor_o  ()
+        .beside_o   ()
     );
     /* verilator lint_on PINCONNECTEMPTY */
 

@@ -255,7 +255,8 @@ Plan plan_of(std::uint64_t inputs, std::size_t ports, Row row) {
             }};
 }
 
-Plan stream_plan(const EffectModel& model, std::uint64_t count, std::uint64_t& corner_inputs) {
+Plan stream_plan(const Effect& effect, const EffectModel& model, std::uint64_t count, std::uint64_t& corner_inputs) {
+    const std::vector<EffectCase> cases = effect.hard_cases(model);
     std::vector<std::vector<std::int64_t>> corners;
     double products = 1.0;
     for (const EffectPort& port : model.inputs()) {
@@ -263,19 +264,24 @@ Plan stream_plan(const EffectModel& model, std::uint64_t count, std::uint64_t& c
         products *= static_cast<double>(corners.back().size());
     }
     const bool all = products <= static_cast<double>(most_corners);
-    corner_inputs = all ? static_cast<std::uint64_t>(products) : sampled_corners;
+    corner_inputs = cases.size() + (all ? static_cast<std::uint64_t>(products) : sampled_corners);
     const std::uint64_t first_random = corner_inputs;
-    return plan_of(
-        corner_inputs + count, corners.size(),
-        [&model, corners, all, first_random](std::uint64_t k, Random& random, Stimulus& stimulus, std::size_t i) {
-            if (k >= first_random) return random_row(model, random, stimulus, i);
-            for (std::size_t p = 0; p < corners.size(); ++p) {
-                const std::uint64_t size = corners[p].size();
-                const std::uint64_t chosen = all ? k % size : random.next() % size;
-                stimulus.set(i, p, corners[p][chosen]);
-                k /= size;
-            }
-        });
+    return plan_of(corner_inputs + count, corners.size(),
+                   [&model, cases, corners, all, first_random](std::uint64_t k, Random& random, Stimulus& stimulus,
+                                                               std::size_t i) {
+                       if (k >= first_random) return random_row(model, random, stimulus, i);
+                       if (k < cases.size()) {
+                           for (std::size_t p = 0; p < corners.size(); ++p) stimulus.set(i, p, cases[k].in[p]);
+                           return;
+                       }
+                       k -= cases.size();
+                       for (std::size_t p = 0; p < corners.size(); ++p) {
+                           const std::uint64_t size = corners[p].size();
+                           const std::uint64_t chosen = all ? k % size : random.next() % size;
+                           stimulus.set(i, p, corners[p][chosen]);
+                           k /= size;
+                       }
+                   });
 }
 
 Plan exhaustive_plan(const EffectModel& model) {
@@ -372,7 +378,7 @@ EffectRun cosimulate_effect(const Effect& effect, const EffectModel& model, cons
     Plan plan;
     switch (request.test) {
         case EffectTest::stream:
-            plan = stream_plan(model, request.count, run.corners);
+            plan = stream_plan(effect, model, request.count, run.corners);
             break;
         case EffectTest::exhaustive:
             plan = exhaustive_plan(model);

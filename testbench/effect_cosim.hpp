@@ -15,7 +15,7 @@
 namespace glint::testbench {
 
 enum class EffectTest {
-    stream,      ///< the products of the corners of all inputs, then random inputs
+    stream,      ///< the hard cases, the products of the corners of all inputs, then random inputs
     exhaustive,  ///< everything that the ports can carry
     illegal,     ///< every illegal code of every input, with the others random
     reset        ///< resets in mid-stream, at random clocks and of random lengths
@@ -42,7 +42,7 @@ struct EffectRun {
     std::string effect, lobe, profile, test;
     int mask = -1;  ///< of shade; -1: all
     std::uint64_t inputs = 0;
-    std::uint64_t corners = 0;  ///< of them products of corners
+    std::uint64_t corners = 0;  ///< of them hard cases and products of corners
     std::uint64_t mismatches = 0;
     std::uint64_t cycles = 0;
     int latency_cycles = 0;          ///< measured without stalls

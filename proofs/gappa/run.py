@@ -54,7 +54,7 @@ class Script:
     def __init__(self, path):
         self.path = path
         text = path.read_text()
-        self.lobe = self.field(text, "lobe")
+        self.lobe = self.field(text, "lobe|effect")
         self.profile = self.field(text, "profile")
         body = re.sub(r"#.*", "", text)
         self.asked = re.findall(r"(\w+) in \?", body)
@@ -62,7 +62,7 @@ class Script:
             raise UsageError(f"{path} is not a proof script: it does not ask for `error`")
 
     def field(self, text, name):
-        found = re.search(rf"^# {name}: (\S+)$", text, re.M)
+        found = re.search(rf"^# (?:{name}): (\S+)$", text, re.M)
         if not found:
             raise UsageError(f"{self.path} is not a proof script: no comment `# {name}: ...`")
         return found.group(1)
