@@ -21,5 +21,6 @@ void add_emit(CLI::App& app, Chosen& chosen);
 void add_fit(CLI::App& app, Chosen& chosen);
 void add_cases(CLI::App& app, Chosen& chosen);
 void add_report(CLI::App& app, Chosen& chosen);
+void add_render(CLI::App& app, Chosen& chosen);
 
 }  // namespace glint::cli

@@ -14,5 +14,6 @@ int main(int argc, char** argv) {
     add_fit(app, chosen);
     glint::cli::add_cases(app, chosen);
     glint::cli::add_report(app, chosen);
+    glint::cli::add_render(app, chosen);
     return glint::cli::run(app, argc, argv, [&] { return chosen.run(); });
 }
