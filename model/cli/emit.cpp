@@ -4,6 +4,7 @@
 
 #include "commands.hpp"
 #include "common.hpp"
+#include "glint/effect.hpp"
 #include "glint/error.hpp"
 #include "glint/sweep.hpp"
 
@@ -11,6 +12,7 @@ namespace glint::cli {
 namespace {
 
 struct Options {
+    std::string effect;
     std::string lobe = "bps";
     std::string profile = "p12";
     std::string target = "all";
@@ -36,22 +38,37 @@ std::string measured_bound(const GoldenModel& model) {
     return fmt::format("{:.4f} ulp, measured over all {} inputs", result.total.rounding.value, result.total.inputs);
 }
 
+void write(const std::vector<GeneratedFile>& files, const Options& options) {
+    for (const GeneratedFile& file : files) {
+        if (options.target != "all" && options.target != name(file.target)) continue;
+        const std::filesystem::path path = std::filesystem::path(options.folder) / file.name;
+        write_file(path, file.text);
+        fmt::print("{}\n", path.string());
+    }
+}
+
 int run_emit(const Options& options) {
     if (options.target != "all" && options.target != "verilog" && options.target != "hls" &&
         options.target != "proof") {
         throw Error(fmt::format("target '{}' is not legal: verilog, hls, proof or all", options.target));
+    }
+    if (!options.effect.empty()) {
+        const Effect& effect = find_effect(options.effect);
+        // All before the first is written: a profile that is not legal leaves nothing behind.
+        std::vector<std::vector<GeneratedFile>> files;
+        for (const std::string& text : split_profiles(options.profile)) {
+            files.push_back(effect.emit(parse_profile(text), options.lobe));
+        }
+        make_folder(options.folder);
+        for (const auto& list : files) write(list, options);
+        return success;
     }
     make_folder(options.folder);
     const LobeChoice choice = parse_lobe(options.lobe);
     const Lobe& lobe = *choice.lobe;
     for (const std::string& text : split_profiles(options.profile)) {
         const Profile profile = choice.profile(text);
-        for (const GeneratedFile& file : lobe.emit(profile)) {
-            if (options.target != "all" && options.target != name(file.target)) continue;
-            const std::filesystem::path path = std::filesystem::path(options.folder) / file.name;
-            write_file(path, file.text);
-            fmt::print("{}\n", path.string());
-        }
+        write(lobe.emit(profile), options);
         if (!profile.shipped() || !profile.options.empty()) {
             fmt::print("{} {}: rounding error {}\n", lobe.name, text, measured_bound(*lobe.golden(profile)));
         }
@@ -64,6 +81,7 @@ int run_emit(const Options& options) {
 void add_emit(CLI::App& app, Chosen& chosen) {
     auto options = std::make_shared<Options>();
     CLI::App* command = app.add_subcommand("emit", "Verilog wrappers, HLS constants and proof scripts of a profile");
+    command->add_option("--effect", options->effect, "An effect instead of a lobe (phong, blinn_phong: of --lobe)");
     command->add_option("--lobe", options->lobe, "Lobe, with its options: polynomial:symmetric:0:-1:2")
         ->capture_default_str();
     command->add_option("--profile", options->profile, "Profiles: p8, p12, p16 or the lobe's F,..,O")

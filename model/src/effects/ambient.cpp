@@ -42,7 +42,9 @@ std::unique_ptr<EffectModel> make_ambient(const Profile& profile, std::string_vi
 }
 
 std::vector<GeneratedFile> emit_ambient(const Profile& profile, std::string_view) {
-    return {effect_wrapper(Ambient(profile), {{"O", std::to_string(profile.O), ""}})};
+    const Ambient model(profile);
+    return {effect_wrapper(model, {{"O", std::to_string(profile.O), ""}}),
+            effect_constants(model, {{"int O", std::to_string(profile.O), "fraction bits of colours and terms"}})};
 }
 
 std::vector<EffectCase> ambient_cases(const EffectModel& model) {

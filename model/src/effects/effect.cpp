@@ -36,10 +36,14 @@ void check_output_bits(std::string_view effect, const Profile& profile, int grea
     }
 }
 
-GeneratedFile effect_module(const EffectModel& model, std::string_view lobe, std::string_view body) {
+std::string effect_module_name(const EffectModel& model, std::string_view lobe) {
+    return fmt::format("glint_effect_{}_{}{}{}", model.effect(), lobe, lobe.empty() ? "" : "_", model.profile().name);
+}
+
+GeneratedFile effect_module(const EffectModel& model, std::string_view lobe, std::string_view body,
+                            std::string_view others) {
     const Profile& profile = model.profile();
-    const std::string module =
-        fmt::format("glint_effect_{}_{}{}{}", model.effect(), lobe, lobe.empty() ? "" : "_", profile.name);
+    const std::string module = effect_module_name(model, lobe);
     std::string ports;
     const auto add = [&](std::string_view direction, std::string_view range, std::string_view name) {
         ports += fmt::format("{}    {:6} wire {:>11} {}", ports.empty() ? "" : ",\n", direction, range, name);
@@ -74,13 +78,14 @@ module {0} #(
 
 {5}
 endmodule
-
+{6}
 `default_nettype wire
 )",
-                        module, model.effect(), profile.argument(), choice, ports, body)};
+                        module, model.effect(), profile.argument(), choice, ports, body, others)};
 }
 
-GeneratedFile effect_wrapper(const EffectModel& model, const std::vector<Constant>& parameters) {
+GeneratedFile effect_wrapper(const EffectModel& model, const std::vector<Constant>& parameters,
+                             const std::vector<Table>& tables) {
     std::vector<std::string> names{"clk_i", "rst_ni", "valid_i", "ready_o"};
     for (const EffectPort& port : model.inputs()) names.push_back(fmt::format("{}_i", port.name));
     names.insert(names.end(), {"tag_i", "valid_o", "ready_i"});
@@ -98,9 +103,18 @@ GeneratedFile effect_wrapper(const EffectModel& model, const std::vector<Constan
     for (const std::string& name : names) {
         connections += fmt::format("{}        .{:{}}({})", connections.empty() ? "" : ",\n", name, name_width, name);
     }
-    return effect_module(
-        model, "",
-        fmt::format("    glint_effect_{} #(\n{}    ) core (\n{}\n    );\n", model.effect(), values, connections));
+    const TableText memories = table_text(effect_module_name(model, ""), tables);
+    return effect_module(model, "",
+                         fmt::format("{}    glint_effect_{} #(\n{}    ) core (\n{}{}\n    );\n{}", memories.wires,
+                                     model.effect(), values, connections, memories.ports, memories.instances),
+                         memories.roms);
+}
+
+GeneratedFile effect_constants(const EffectModel& model, const std::vector<Constant>& constants,
+                               const std::vector<Table>& tables) {
+    return constants_header({fmt::format("glint_effect_{}", model.effect()), fmt::format("--effect {}", model.effect()),
+                             fmt::format("docs/effects/{}.md", model.effect())},
+                            model.profile(), constants, tables);
 }
 
 std::vector<EffectCase> common_effect_cases(const EffectModel& model) {

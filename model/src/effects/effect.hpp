@@ -33,13 +33,23 @@ EffectPort term_port(std::string_view name, const Profile& profile, int E);
 /// bits of its own takes F and O of a custom profile; the numbers between them are a lobe's.
 void check_output_bits(std::string_view effect, const Profile& profile, int greatest_O);
 
-/// The Verilog module glint_effect_<effect>[_<lobe>]_<profile> with the ports of the model around `body`, lines that
-/// end with a line feed. `lobe` is empty for effects that take none.
-GeneratedFile effect_module(const EffectModel& model, std::string_view lobe, std::string_view body);
+/// glint_effect_<effect>_<profile>, or glint_effect_<effect>_<lobe>_<profile> where `lobe` is not empty.
+std::string effect_module_name(const EffectModel& model, std::string_view lobe);
 
-/// The Verilog wrapper glint_effect_<effect>_<profile>: effect_module with the module glint_effect_<effect> inside:
-/// `parameters` are its parameters beside TAG_W, its ports are those of the model.
-GeneratedFile effect_wrapper(const EffectModel& model, const std::vector<Constant>& parameters);
+/// The Verilog module of that name, with the ports of the model around `body` (lines that end with a line feed), and
+/// the modules `others` after it.
+GeneratedFile effect_module(const EffectModel& model, std::string_view lobe, std::string_view body,
+                            std::string_view others = "");
+
+/// The Verilog wrapper glint_effect_<effect>_<profile>: effect_module with the module glint_effect_<effect> inside.
+/// `parameters` are its parameters beside TAG_W, its ports are those of the model; the tables stand beside it as with a
+/// lobe.
+GeneratedFile effect_wrapper(const EffectModel& model, const std::vector<Constant>& parameters,
+                             const std::vector<Table>& tables = {});
+
+/// The HLS header glint_effect_<effect>_<profile>_constants.hpp.
+GeneratedFile effect_constants(const EffectModel& model, const std::vector<Constant>& constants,
+                               const std::vector<Table>& tables = {});
 
 /// The cases that belong to every effect: for each input, with the others at the middle of their legal range, its legal
 /// ends, one ulp inside and beyond them, 0 and its neighbours. An effect's own come after them.

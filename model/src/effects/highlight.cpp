@@ -61,6 +61,8 @@ std::vector<GeneratedFile> emit_highlight(std::string_view effect, std::string_v
     return {effect_module(model, choice.lobe->name,
                           fmt::format(R"(    wire [TAG_W+1:0] tag_in, tag_out;
     wire [{O}:0] y;
+    wire clamped;  // what the lobe corrects; the effect has its own rule
+    wire unused = &{{1'b0, clamped}};
 
     glint_effect_highlight #(
         .F    ({F}),
@@ -93,7 +95,7 @@ std::vector<GeneratedFile> emit_highlight(std::string_view effect, std::string_v
         .ready_i  (ready_i),
         .y_o      (y),
         .tag_o    (tag_out),
-        .clamped_o()
+        .clamped_o(clamped)
     );
 )",
                                       fmt::arg("F", p.F), fmt::arg("O", p.O), fmt::arg("cosine", cosine),

@@ -64,7 +64,9 @@ std::unique_ptr<EffectModel> make_tint(const Profile& profile, std::string_view)
 }
 
 std::vector<GeneratedFile> emit_tint(const Profile& profile, std::string_view) {
-    return {effect_wrapper(Tint(profile), {{"O", std::to_string(profile.O), ""}})};
+    const Tint model(profile);
+    return {effect_wrapper(model, {{"O", std::to_string(profile.O), ""}}),
+            effect_constants(model, {{"int O", std::to_string(profile.O), "fraction bits of colours and terms"}})};
 }
 
 std::vector<EffectCase> tint_cases(const EffectModel& model) {

@@ -95,6 +95,21 @@ struct Table {
     std::vector<std::vector<std::int64_t>> rows;  ///< 2^k of them, each with a value per field
 };
 
+/// What tables add to the module of a generated wrapper: its wires, the connections of the unit inside (each with a
+/// comma before it), the memories' instances, and the memories' modules.
+struct TableText {
+    std::string wires, ports, instances, roms;
+};
+TableText table_text(const std::string& module, const std::vector<Table>& tables);
+
+/// An HLS header of constants <module>_<profile>_constants.hpp: the arguments of `glint emit` that write it, and the
+/// document that says what they mean.
+struct HeaderNames {
+    std::string module, command, document;
+};
+GeneratedFile constants_header(const HeaderNames& names, const Profile& profile, const std::vector<Constant>& constants,
+                               const std::vector<Table>& tables);
+
 /// A signed Verilog literal of `width` bits. Legal: |value| < 2^(width - 1).
 std::string verilog_literal(std::int64_t value, int width);
 
