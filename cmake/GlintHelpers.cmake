@@ -3,13 +3,23 @@ function(glint_own_code target)
   target_compile_options(${target} PRIVATE -Wall -Wextra -Wconversion $<$<BOOL:${GLINT_WERROR}>:-Werror>)
 endfunction()
 
-# glint_lobes(out): the names in the registry, in its order.
-function(glint_lobes out)
-  set(registry ${PROJECT_SOURCE_DIR}/model/include/glint/lobes.def)
+# glint_registry(out file macro): the names in a registry, in its order.
+function(glint_registry out file macro)
+  set(registry ${PROJECT_SOURCE_DIR}/model/include/glint/${file})
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${registry})
-  file(STRINGS ${registry} lines REGEX "^GLINT_LOBE\\([a-z0-9_]+\\)$")
-  list(TRANSFORM lines REPLACE "^GLINT_LOBE\\((.*)\\)$" "\\1")
+  file(STRINGS ${registry} lines REGEX "^${macro}\\([a-z0-9_]+\\)$")
+  list(TRANSFORM lines REPLACE "^${macro}\\((.*)\\)$" "\\1")
   set(${out} ${lines} PARENT_SCOPE)
+endfunction()
+
+function(glint_lobes out)
+  glint_registry(names lobes.def GLINT_LOBE)
+  set(${out} ${names} PARENT_SCOPE)
+endfunction()
+
+function(glint_effects out)
+  glint_registry(names effects.def GLINT_EFFECT)
+  set(${out} ${names} PARENT_SCOPE)
 endfunction()
 
 # glint_generated_verilog(out rtl lobe profile): the folder with the wrappers of a profile. Those of the shipped profiles
@@ -19,6 +29,27 @@ function(glint_generated_verilog out rtl lobe profile)
     set(${out} ${rtl}/generated PARENT_SCOPE)
     return()
   endif()
+  glint_emit_now(--lobe ${lobe} --profile ${profile})
+  set(${out} ${PROJECT_BINARY_DIR}/generated PARENT_SCOPE)
+endfunction()
+
+# glint_generated_effect(out rtl effect lobe profile module): the file of the wrapper, emitted now where it is not among the
+# committed ones.
+function(glint_generated_effect out rtl effect lobe profile module)
+  if(EXISTS ${rtl}/generated/${module}.v)
+    set(${out} ${rtl}/generated/${module}.v PARENT_SCOPE)
+    return()
+  endif()
+  set(choice "")
+  if(lobe)
+    set(choice --lobe ${lobe})
+  endif()
+  glint_emit_now(--effect ${effect} ${choice} --profile ${profile})
+  set(${out} ${PROJECT_BINARY_DIR}/generated/${module}.v PARENT_SCOPE)
+endfunction()
+
+# glint_emit_now(arguments...): Verilog into generated/ of the build.
+function(glint_emit_now)
   set(tool ${PROJECT_BINARY_DIR}/emit-tool)
   if(NOT EXISTS ${tool}/glint)
     message(STATUS "Building glint for the wrappers of custom profiles")
@@ -26,7 +57,6 @@ function(glint_generated_verilog out rtl lobe profile)
       -DCMAKE_CXX_COMPILER=${CMAKE_CXX_COMPILER} -DCMAKE_BUILD_TYPE=Release OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
   endif()
   execute_process(COMMAND ${CMAKE_COMMAND} --build ${tool} --target glint-cli OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
-  execute_process(COMMAND ${tool}/glint emit --lobe ${lobe} --profile ${profile} --target verilog
-    -o ${PROJECT_BINARY_DIR}/generated OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
-  set(${out} ${PROJECT_BINARY_DIR}/generated PARENT_SCOPE)
+  execute_process(COMMAND ${tool}/glint emit ${ARGN} --target verilog -o ${PROJECT_BINARY_DIR}/generated
+    OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
 endfunction()

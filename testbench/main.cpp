@@ -1,9 +1,13 @@
 // glint-cosim: the Verilog, run by Verilator, against the golden model.
 
+#include <algorithm>
+#include <memory>
+
 #include <fmt/format.h>
 
 #include "common.hpp"
 #include "cosim.hpp"
+#include "effect_cosim.hpp"
 #include "glint/error.hpp"
 #include "junit.hpp"
 #include "results.hpp"
@@ -14,6 +18,7 @@ using namespace glint;
 using namespace glint::testbench;
 
 struct Options {
+    std::string effect;
     std::string lobe = "bps";
     std::string profile = "p8,p12,p16";
     std::string unit = "core";
@@ -58,6 +63,78 @@ Request make_request(const Options& options, const GoldenModel& model) {
     return request;
 }
 
+int summary(const std::vector<JUnitCase>& cases, std::uint64_t seed) {
+    const auto failed = static_cast<std::size_t>(
+        std::count_if(cases.begin(), cases.end(), [](const JUnitCase& c) { return !c.failure.empty(); }));
+    fmt::print("{} of {} runs passed, seed {}\n", cases.size() - failed, cases.size(), seed);
+    return failed == 0 ? cli::success : cli::check_failed;
+}
+
+/// "ambient,tint", or "all": every effect that this build has a unit of.
+std::vector<const Effect*> split_effects(const std::string& text) {
+    std::vector<const Effect*> out;
+    if (text == "all") {
+        for (const Effect& effect : effects()) {
+            const auto kinds = effect_unit_kinds();
+            const bool here =
+                std::any_of(kinds.begin(), kinds.end(), [&](const auto& k) { return k.effect == effect.name; });
+            if (here) out.push_back(&effect);
+        }
+        return out;
+    }
+    for (std::size_t begin = 0; begin <= text.size();) {
+        const std::size_t end = std::min(text.find(',', begin), text.size());
+        out.push_back(&find_effect(text.substr(begin, end - begin)));
+        begin = end + 1;
+    }
+    return out;
+}
+
+int cosim_effects(const Options& options, const std::string& command) {
+    EffectRequest request;
+    request.count = options.count;
+    if (options.exhaustive) request.test = EffectTest::exhaustive;
+    if (options.illegal) request.test = EffectTest::illegal;
+    if (options.resets > 0) {
+        request.test = EffectTest::reset;
+        request.count = options.resets;
+    }
+    request.stall_probability = options.stall_probability;
+    request.seed = options.seed;
+    request.threads = options.threads;
+    request.trace_file = options.trace;
+    struct Work {
+        const Effect* effect;
+        std::unique_ptr<EffectModel> model;
+        const EffectUnitKind* kind;
+    };
+    std::vector<Work> work;
+    for (const Effect* effect : split_effects(options.effect)) {
+        for (const std::string& profile : cli::split_profiles(options.profile)) {
+            auto model = effect->golden(parse_profile(profile), options.lobe);
+            const EffectUnitKind& kind = find_effect_unit(effect->name, options.lobe, model->profile().name);
+            work.push_back({effect, std::move(model), &kind});
+        }
+    }
+    if (work.empty()) throw Error("--effect all: this build has no unit of any effect");
+    cli::check_writable(options.json);
+    cli::check_writable(options.junit);
+    std::vector<EffectRun> runs;
+    std::vector<JUnitCase> cases;
+    for (const auto& [effect, model, kind] : work) {
+        const std::string name =
+            fmt::format("{}{}{} {}", effect->name, kind->lobe.empty() ? "" : " ", kind->lobe, model->profile().name);
+        runs.push_back(cosimulate_effect(*effect, *model, *kind, request, cli::progress_bar(name)));
+        const EffectRun& run = runs.back();
+        cases.push_back({fmt::format("{} {}", name, run.test), run.seconds, run.complaint});
+        if (!run.complaint.empty()) fmt::print(stderr, "{}: FAILED: {}", name, run.complaint);
+    }
+    if (!options.json.empty()) cli::write_file(options.json, to_json(runs, command).dump(1) + "\n");
+    if (!options.junit.empty()) cli::write_file(options.junit, to_junit("glint-cosim", cases));
+    fmt::print("{}", effect_table(runs));
+    return summary(cases, options.seed);
+}
+
 int cosim(const Options& options, const std::string& command) {
     // Find everything before anything runs: a mistake in the last name must not cost the time of the first.
     const auto golden = cli::models(options.lobe, options.profile);
@@ -83,10 +160,7 @@ int cosim(const Options& options, const std::string& command) {
     if (!options.json.empty()) cli::write_file(options.json, cli::to_json(runs, "glint-cosim", command).dump(1) + "\n");
     if (!options.junit.empty()) cli::write_file(options.junit, to_junit("glint-cosim", cases));
     fmt::print("{}", cli::results_table(runs, true));
-    const auto failed = static_cast<std::size_t>(
-        std::count_if(cases.begin(), cases.end(), [](const JUnitCase& c) { return !c.failure.empty(); }));
-    fmt::print("{} of {} runs passed, seed {}\n", cases.size() - failed, cases.size(), options.seed);
-    return failed == 0 ? cli::success : cli::check_failed;
+    return summary(cases, options.seed);
 }
 
 }  // namespace
@@ -94,9 +168,12 @@ int cosim(const Options& options, const std::string& command) {
 int main(int argc, char** argv) {
     Options options;
     CLI::App app{"The Verilog, run by Verilator, against the golden model, bit for bit.", "glint-cosim"};
+    CLI::Option* effect = app.add_option("--effect", options.effect,
+                                         "Effects instead of lobes, or all; --lobe is that of phong and blinn_phong");
     app.add_option("--lobe", options.lobe, "Lobes, separated by commas, or all")->capture_default_str();
     app.add_option("--profile", options.profile, "Profiles, separated by commas")->capture_default_str();
-    app.add_option("--unit", options.unit, "core, axis or both, separated by a comma")->capture_default_str();
+    CLI::Option* unit =
+        app.add_option("--unit", options.unit, "core, axis or both, separated by a comma")->capture_default_str();
     CLI::Option* exhaustive = app.add_flag("--exhaustive", options.exhaustive, "Every legal input");
     CLI::Option* n = app.add_option("--n", options.n, "Exponents: n, first:last, first:last:step or all");
     CLI::Option* cos = app.add_option("--cos", options.cos, "Cosine codes: a range as for --n, or all (0 to 2^F)");
@@ -117,12 +194,13 @@ int main(int argc, char** argv) {
     app.add_option("--junit", options.junit, "Write the results as JUnit XML");
     // Without this, the lists of what excludes what do not fit a screen.
     for (CLI::Option* option : {count, resets}) option->option_text("INT");
-    for (CLI::Option* option : {n, cos}) option->option_text("TEXT");
+    for (CLI::Option* option : {n, cos, effect}) option->option_text("TEXT");
     for (CLI::Option* option : {exhaustive, illegal}) option->option_text(" ");
     exhaustive->excludes(n)->excludes(cos)->excludes(count)->excludes(illegal)->excludes(resets);
     count->excludes(n)->excludes(cos)->excludes(illegal)->excludes(resets);
     illegal->excludes(n)->excludes(cos)->excludes(resets);
     resets->excludes(n)->excludes(cos);
+    effect->excludes(n)->excludes(cos)->excludes(unit);
     app.footer("Example: glint-cosim --lobe bps --profile p8,p12,p16 --exhaustive --json cosim.json");
     const std::string command = cli::command_line(argc, argv);
     return cli::run(app, argc, argv, [&] {
@@ -130,6 +208,6 @@ int main(int argc, char** argv) {
             0) {
             throw Error("nothing to run: --exhaustive, --n and --cos, --count, --illegal or --resets");
         }
-        return cosim(options, command);
+        return options.effect.empty() ? cosim(options, command) : cosim_effects(options, command);
     });
 }

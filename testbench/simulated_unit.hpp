@@ -1,10 +1,11 @@
-// A Verilated model as a Unit. `Pins` maps the stream onto the port names of core or AXI4-Stream.
+// A Verilated model as a Unit. `Pins` maps the stream onto the names of its ports, and bursts onto what they carry.
 #pragma once
 
 #include <verilated.h>
 #include <verilated_fst_c.h>
 
 #include <algorithm>
+#include <array>
 #include <type_traits>
 
 #include "glint/vectors.hpp"
@@ -12,12 +13,9 @@
 
 namespace glint::testbench {
 
-/// Ports of the core: clk_i, rst_ni, n_i, cos_i, tag_i, ... (docs/rtl.md).
-struct CorePins {
-    explicit CorePins(int F) : cos_mask(~0U >> (30 - F)) {}  // F + 2 bits
-    std::uint32_t cos_mask;
+/// The names that all streams but AXI4-Stream share (docs/rtl.md).
+struct StreamPins {
     static constexpr int reset_latency = 0;  ///< clocks until valid and ready have fallen
-    static constexpr std::uint32_t tag(std::uint32_t index) { return index & 0xffffU; }
 
     template <class Model>
     static void clock(Model& m, bool level) {
@@ -26,12 +24,6 @@ struct CorePins {
     template <class Model>
     static void reset(Model& m, bool active) {
         m.rst_ni = !active;
-    }
-    template <class Model>
-    void input(Model& m, std::uint16_t n, std::int32_t cos_code, std::uint32_t index) const {
-        m.n_i = n;
-        m.cos_i = static_cast<std::uint32_t>(cos_code) & cos_mask;
-        m.tag_i = static_cast<std::uint16_t>(tag(index));
     }
     template <class Model>
     static void input_valid(Model& m, bool valid) {
@@ -50,18 +42,74 @@ struct CorePins {
         m.ready_i = ready;
     }
     template <class Model>
-    static std::uint32_t packed(const Model& m) {
-        return static_cast<std::uint32_t>(m.y_o) | static_cast<std::uint32_t>(m.clamped_o) << 31;
-    }
-    template <class Model>
     static std::uint32_t output_tag(const Model& m) {
         return m.tag_o;
     }
 };
 
+/// What goes in and comes out of the unit of a lobe: n and cos in, one packed word out.
+struct LobeTraffic {
+    using Burst = testbench::Burst;
+    using Outcome = testbench::Outcome;
+    using Word = std::uint32_t;
+
+    static void prepare(Outcome& out, std::size_t count) { out.packed.resize(count); }
+    static void store(Outcome& out, std::size_t i, Word word) { out.packed[i] = word; }
+};
+
+/// Ports of the core: n_i, cos_i, tag_i, y_o, ...
+struct CorePins : StreamPins, LobeTraffic {
+    explicit CorePins(int F) : cos_mask(~0U >> (30 - F)) {}  // F + 2 bits
+    std::uint32_t cos_mask;
+    static constexpr std::uint32_t tag(std::uint32_t index) { return index & 0xffffU; }
+
+    template <class Model>
+    void input(Model& m, const Burst& burst, std::size_t i) const {
+        m.n_i = burst.n[i];
+        m.cos_i = static_cast<std::uint32_t>(burst.cos_code[i]) & cos_mask;
+        m.tag_i = static_cast<std::uint16_t>(burst.first_tag + i);
+    }
+    template <class Model>
+    static Word word(const Model& m) {
+        return static_cast<std::uint32_t>(m.y_o) | static_cast<std::uint32_t>(m.clamped_o) << 31;
+    }
+};
+
+/// The unit of an effect with `outputs` output ports; which ports those are, CMake reads from its Verilog.
+template <std::size_t outputs>
+struct EffectPins : StreamPins {
+    explicit EffectPins(int) {}
+    static constexpr std::uint32_t tag(std::uint32_t tag) { return tag; }
+
+    using Burst = ColumnBurst;
+    using Outcome = ColumnOutcome;
+    struct Word {
+        std::array<std::int32_t, outputs> values{};
+        bool clamped = false;
+        friend bool operator==(const Word&, const Word&) = default;
+    };
+
+    static void prepare(Outcome& out, std::size_t count) {
+        out.values.resize(outputs);
+        for (auto& column : out.values) column.resize(count);
+        out.clamped.resize(count);
+    }
+    static void store(Outcome& out, std::size_t i, const Word& word) {
+        for (std::size_t p = 0; p < outputs; ++p) out.values[p][i] = word.values[p];
+        out.clamped[i] = word.clamped;
+    }
+
+protected:
+    /// The low `bits` of a code.
+    template <int bits, class Pin>
+    static void set(Pin& pin, std::int32_t code) {
+        pin = static_cast<Pin>(static_cast<std::uint32_t>(code) & (~0U >> (32 - bits)));
+    }
+};
+
 /// Ports of the AXI4-Stream unit. tuser carries the index; tlast one bit of a mix of it, so that neither a stuck nor a
 /// shifted tlast goes unseen.
-struct AxisPins {
+struct AxisPins : LobeTraffic {
     explicit AxisPins(int) {}
     static constexpr int reset_latency = 1;  ///< every output is a register
     static constexpr std::uint32_t last(std::uint32_t index) { return (index * 0x9e37'79b9U) >> 31; }
@@ -76,10 +124,11 @@ struct AxisPins {
         m.aresetn = !active;
     }
     template <class Model>
-    void input(Model& m, std::uint16_t n, std::int32_t cos_code, std::uint32_t index) const {
+    void input(Model& m, const Burst& burst, std::size_t i) const {
+        const auto index = static_cast<std::uint32_t>(burst.first_tag + i);
         // The bits between the fields are ignored by contract: fill them with what would show if they were not.
-        const std::uint32_t low = n | (index * 0x85eb'ca6bU & ~0x3ffU);
-        m.s_axis_tdata = std::uint64_t{static_cast<std::uint32_t>(cos_code)} << 32 | low;
+        const std::uint32_t low = burst.n[i] | (index * 0x85eb'ca6bU & ~0x3ffU);
+        m.s_axis_tdata = std::uint64_t{static_cast<std::uint32_t>(burst.cos_code[i])} << 32 | low;
         m.s_axis_tuser = static_cast<std::uint16_t>(index);
         m.s_axis_tlast = last(index) != 0;
     }
@@ -100,7 +149,7 @@ struct AxisPins {
         m.m_axis_tready = ready;
     }
     template <class Model>
-    static std::uint32_t packed(const Model& m) {
+    static Word word(const Model& m) {
         return m.m_axis_tdata;
     }
     template <class Model>
@@ -110,8 +159,11 @@ struct AxisPins {
 };
 
 template <class Model, class Pins, bool traced>
-class SimulatedUnit final : public Unit {
+class SimulatedUnit final : public StreamUnit<typename Pins::Burst, typename Pins::Outcome> {
 public:
+    using Burst = typename Pins::Burst;
+    using Outcome = typename Pins::Outcome;
+
     SimulatedUnit(int F, std::uint64_t seed) : pins_(F) {
         // Registers start with random contents: what matters of them must come from reset.
         context_.randReset(2);
@@ -161,9 +213,8 @@ public:
         clock_ = 0;
         Pins::output_ready(*model_, true);
         Pins::input_valid(*model_, true);
-        const std::size_t count = burst.n.size();
         const auto drive = [&](std::uint64_t i) {
-            pins_.input(*model_, burst.n[i % count], burst.cos_code[i % count], static_cast<std::uint32_t>(i));
+            pins_.input(*model_, burst, i % burst.size());
             settle();
         };
         for (std::uint64_t i = 0; i < at; ++i) {
@@ -189,7 +240,7 @@ public:
         return {};
     }
 
-    std::uint32_t expected_tag(std::uint32_t index) const override { return Pins::tag(index); }
+    std::uint32_t expected_tag(std::uint32_t tag) const override { return Pins::tag(tag); }
 
     void trace(const std::string& file, std::uint64_t first, std::uint64_t last) override {
         if constexpr (traced) {
@@ -223,8 +274,8 @@ private:
     }
 
     static void prepare(const Burst& burst, Outcome& out) {
-        out.packed.resize(burst.n.size());
-        out.tags.resize(burst.n.size());
+        Pins::prepare(out, burst.size());
+        out.tags.resize(burst.size());
         out.results = 0;
         out.surplus = out.unstable = false;
         out.cycles = out.span = 0;
@@ -233,7 +284,7 @@ private:
 
     void run_full_speed(const Burst& burst, Outcome& out) {
         Model& model = *model_;
-        const std::uint32_t count = static_cast<std::uint32_t>(burst.n.size());
+        const std::uint32_t count = static_cast<std::uint32_t>(burst.size());
         Pins::output_ready(model, true);
         std::uint32_t sent = 0;
         std::size_t got = 0;
@@ -243,7 +294,7 @@ private:
         for (std::uint64_t now = 0; now < limit; ++now) {
             const bool valid = sent < count;
             Pins::input_valid(model, valid);
-            if (valid) pins_.input(model, burst.n[sent], burst.cos_code[sent], burst.first_tag + sent);
+            if (valid) pins_.input(model, burst, sent);
             settle();
             if (Pins::output_valid(model)) {
                 if (got == count) {
@@ -252,7 +303,7 @@ private:
                 }
                 if (got == 0) first_result = now;
                 last_result = now;
-                out.packed[got] = Pins::packed(model);
+                Pins::store(out, got, Pins::word(model));
                 out.tags[got] = Pins::output_tag(model);
                 if (++got == count) limit = now + 1 + tail;  // look a little further for what should not come
             }
@@ -267,7 +318,7 @@ private:
 
     void run_stalled(const Burst& burst, const Schedule& schedule, Outcome& out) {
         Model& model = *model_;
-        const std::uint32_t count = static_cast<std::uint32_t>(burst.n.size());
+        const std::uint32_t count = static_cast<std::uint32_t>(burst.size());
         const auto threshold = static_cast<std::uint32_t>(std::min(schedule.stall_probability * 0x1p32, 4294967295.0));
         Random random(schedule.seed);
         out.clock.resize(count);
@@ -275,7 +326,7 @@ private:
         std::size_t got = 0;
         bool offered = false;  // an input was offered and not yet accepted: it has to stay
         bool waiting = false;  // a result had to wait: it has to stay
-        std::uint32_t waiting_packed = 0;
+        typename Pins::Word waiting_word{};
         std::uint32_t waiting_tag = 0;
         int idle = 0;  // clocks since the last transfer in which both sides would have let one happen
         while (idle < (got == count ? tail : silence)) {
@@ -284,21 +335,21 @@ private:
             const bool ready = static_cast<std::uint32_t>(draw >> 32) >= threshold;
             Pins::input_valid(model, valid);
             Pins::output_ready(model, ready);
-            if (valid) pins_.input(model, burst.n[sent], burst.cos_code[sent], burst.first_tag + sent);
+            if (valid) pins_.input(model, burst, sent);
             settle();
             const bool out_valid = Pins::output_valid(model);
-            const std::uint32_t packed = Pins::packed(model);
+            const typename Pins::Word word = Pins::word(model);
             const std::uint32_t tag = Pins::output_tag(model);
-            if (waiting && (!out_valid || packed != waiting_packed || tag != waiting_tag)) out.unstable = true;
+            if (waiting && (!out_valid || !(word == waiting_word) || tag != waiting_tag)) out.unstable = true;
             waiting = out_valid && !ready;
-            waiting_packed = packed;
+            waiting_word = word;
             waiting_tag = tag;
             if (out_valid && ready) {
                 if (got == count) {
                     out.surplus = true;
                     break;
                 }
-                out.packed[got] = packed;
+                Pins::store(out, got, word);
                 out.tags[got] = tag;
                 out.clock[got] = clock_;
                 ++got;

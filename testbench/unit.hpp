@@ -15,6 +15,16 @@ struct Burst {
     std::span<const std::uint16_t> n;
     std::span<const std::int32_t> cos_code;
     std::uint32_t first_tag = 0;
+
+    std::size_t size() const { return n.size(); }
+};
+
+/// Inputs of one burst for a unit with any ports: inputs[p][i] is what input port p gets with the i-th tag.
+struct ColumnBurst {
+    std::span<const std::int32_t* const> inputs;
+    std::span<const std::uint32_t> tags;
+
+    std::size_t size() const { return tags.size(); }
 };
 
 /// With this probability a clock has a bubble at the input, and, drawn apart, a stall at the output.
@@ -24,21 +34,31 @@ struct Schedule {
 };
 
 /// What a burst gave. Vectors are as long as the burst; entries past `results` are meaningless.
-struct Outcome {
-    std::vector<std::uint32_t> packed;  ///< y, and clamped in bit 31
-    std::vector<std::uint32_t> tags;    ///< with tlast above it where the unit has one
-    std::vector<std::uint64_t> clock;   ///< of each result, from the start of the burst; with stalls only
-    std::size_t results = 0;            ///< how many came before the unit fell silent; more than the burst: `surplus`
-    bool surplus = false;               ///< a result came that no input had asked for
-    bool unstable = false;              ///< a result changed or was withdrawn while it had to wait
-    std::uint64_t cycles = 0;           ///< clocks of the burst, from the first input to the last result
-    int latency = 0;                    ///< clocks from the first accepted input to the first result
-    std::uint64_t span = 0;             ///< clocks from the first result to the last, both counted
+struct StreamOutcome {
+    std::vector<std::uint32_t> tags;   ///< with tlast above it where the unit has one
+    std::vector<std::uint64_t> clock;  ///< of each result, from the start of the burst; with stalls only
+    std::size_t results = 0;           ///< how many came before the unit fell silent; more than the burst: `surplus`
+    bool surplus = false;              ///< a result came that no input had asked for
+    bool unstable = false;             ///< a result changed or was withdrawn while it had to wait
+    std::uint64_t cycles = 0;          ///< clocks of the burst, from the first input to the last result
+    int latency = 0;                   ///< clocks from the first accepted input to the first result
+    std::uint64_t span = 0;            ///< clocks from the first result to the last, both counted
 };
 
-class Unit {
+struct Outcome : StreamOutcome {
+    std::vector<std::uint32_t> packed;  ///< y, and clamped in bit 31
+};
+
+/// values[p][i]: what output port p showed for the i-th input.
+struct ColumnOutcome : StreamOutcome {
+    std::vector<std::vector<std::int32_t>> values;
+    std::vector<std::uint8_t> clamped;
+};
+
+template <class Burst, class Outcome>
+class StreamUnit {
 public:
-    virtual ~Unit() = default;
+    virtual ~StreamUnit() = default;
 
     /// Holds reset for some clocks.
     virtual void reset() = 0;
@@ -50,12 +70,16 @@ public:
     /// the unit answers during reset, or shows after it anything of what was in flight; else an empty text.
     virtual std::string interrupt(const Burst& burst, std::uint64_t at, int length) = 0;
 
-    /// The tag that the i-th result of a burst has to carry.
-    virtual std::uint32_t expected_tag(std::uint32_t index) const = 0;
+    /// The tag that the result of the input with this tag has to carry.
+    virtual std::uint32_t expected_tag(std::uint32_t tag) const = 0;
 
     /// Writes a waveform of the clocks first..last of the next burst. Only a unit built for it can; others do nothing.
     virtual void trace(const std::string& file, std::uint64_t first, std::uint64_t last) = 0;
 };
+
+/// The unit of a lobe, and the unit of an effect.
+using Unit = StreamUnit<Burst, Outcome>;
+using EffectUnit = StreamUnit<ColumnBurst, ColumnOutcome>;
 
 /// A unit that this build contains. Made with F, the fraction bits of its cosine, and a seed for what its registers
 /// hold at first.

@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "catch.hpp"
+#include "glint/effect.hpp"
 #include "glint/lobes.hpp"
 
 using namespace glint;
@@ -31,6 +32,7 @@ TEST_CASE("the committed generated files are those of the model, and every shipp
         for (const auto& entry : std::filesystem::directory_iterator(folders[target])) {
             const std::string name = entry.path().filename().string();
             CAPTURE(name);
+            if (name.rfind("glint_effect_", 0) == 0) continue;
             std::smatch match;
             REQUIRE(std::regex_match(name, match, pattern));
             std::string profile = match[2];
@@ -54,4 +56,31 @@ TEST_CASE("the committed generated files are those of the model, and every shipp
         }
     }
     CHECK(committed.size() >= 3 * lobes().size());
+}
+
+TEST_CASE("the committed generated files of effects are those of the model, and every shipped profile has its own") {
+    const std::filesystem::path root = GLINT_SOURCE_DIR;
+    const std::filesystem::path folders[] = {root / "rtl/generated", root / "hls/generated"};
+    std::set<std::filesystem::path> current;
+    for (const Effect& effect : effects()) {
+        for (const Profile& profile : shipped_profiles()) {
+            const auto files = effect.emit(profile, "bps");
+            CHECK(!files.empty());
+            for (const GeneratedFile& file : files) {
+                CAPTURE(file.name);
+                REQUIRE(static_cast<std::size_t>(file.target) < std::size(folders));
+                const auto path = folders[static_cast<std::size_t>(file.target)] / file.name;
+                CHECK(contents(path) == file.text);
+                CHECK(current.insert(path).second);
+            }
+        }
+    }
+    for (const auto& folder : folders) {
+        for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+            CAPTURE(entry.path().string());
+            const bool of_an_effect = entry.path().filename().string().rfind("glint_effect_", 0) == 0;
+            CHECK((!of_an_effect || current.count(entry.path()) == 1));
+        }
+    }
+    CHECK(current.size() >= 3 * effects().size());
 }
