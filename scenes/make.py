@@ -417,14 +417,14 @@ def many_lights():
         "Forty small lights over a dark floor.",
         objects=objects,
         materials={
-            "floor": {"Ka": [0.08, 0.08, 0.09], "Kd": [0.16, 0.16, 0.18], "Ks": [0.35, 0.35, 0.35], "Ns": 40},
-            "black": {"Kd": [0.02, 0.02, 0.02], "Ks": [0.8, 0.8, 0.8], "Ns": 320},
+            "floor": {"Ka": [0.14, 0.14, 0.16], "Kd": [0.22, 0.22, 0.24], "Ks": [0.35, 0.35, 0.35], "Ns": 40},
+            "black": {"Ka": [0.05, 0.05, 0.06], "Kd": [0.03, 0.03, 0.03], "Ks": [0.8, 0.8, 0.8], "Ns": 320},
             "white": {"Ka": [0.6, 0.6, 0.6], "Kd": [0.65, 0.65, 0.65], "Ks": [0.3, 0.3, 0.3], "Ns": 80},
             "steel": {"Ka": [0.1, 0.1, 0.11], "Kd": [0.12, 0.12, 0.13], "Ks": [0.7, 0.7, 0.72], "Ns": 30},
         },
-        lights=[{"position": place, "colour": BULB_COLOURS[colour], "intensity": 2.4, "attenuation": [1, 2, 16]}
+        lights=[{"position": place, "colour": BULB_COLOURS[colour], "intensity": 4.0, "attenuation": [1, 2, 14]}
                 for place, colour in bulbs()],
-        ambient=[0.05, 0.05, 0.07],
+        ambient=[0.10, 0.10, 0.13],
         background={"top": [0.004, 0.005, 0.01], "bottom": [0.01, 0.01, 0.015]},
         camera={"eye": [0.2, 1.9, 5.0], "target": [0, 0, -0.1], "fov": 40})
 
