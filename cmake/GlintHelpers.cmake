@@ -22,6 +22,17 @@ function(glint_effects out)
   set(${out} ${names} PARENT_SCOPE)
 endfunction()
 
+# glint_effect_kernels(out): the effects of this build that have an HLS kernel.
+function(glint_effect_kernels out)
+  set(names "")
+  foreach(effect IN LISTS GLINT_EFFECTS)
+    if(EXISTS ${PROJECT_SOURCE_DIR}/hls/glint_effect_${effect}.cpp)
+      list(APPEND names ${effect})
+    endif()
+  endforeach()
+  set(${out} ${names} PARENT_SCOPE)
+endfunction()
+
 # glint_generated_verilog(out rtl lobe profile): the folder with the wrappers of a profile. Those of the shipped profiles
 # are committed; those of a custom one are emitted now, by a `glint` built for the purpose.
 function(glint_generated_verilog out rtl lobe profile)

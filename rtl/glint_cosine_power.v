@@ -84,7 +84,7 @@ module glint_cosine_power #(
         .O      (O),
         .SQUARES(LOG2_A - 1),
         .CHOICE (0)
-    ) power (
+    ) chain (
         .clk_i     (clk_i),
         .enable_i  (advance),
         .r_i       (p1_q),

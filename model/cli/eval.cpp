@@ -10,6 +10,7 @@
 
 #include "commands.hpp"
 #include "common.hpp"
+#include "eval_effect.hpp"
 #include "glint/error.hpp"
 #include "glint/fixed_point.hpp"
 #include "glint/reference.hpp"
@@ -18,6 +19,8 @@ namespace glint::cli {
 namespace {
 
 struct Options {
+    std::string effect;
+    PortValues ports;
     std::string lobe = "bps";
     std::string profile = "p12";
     int n = 0;
@@ -160,6 +163,8 @@ private:
 void add_eval(CLI::App& app, Chosen& chosen) {
     auto options = std::make_shared<Options>();
     CLI::App* command = app.add_subcommand("eval", "One input with every intermediate value, or a stream of inputs");
+    CLI::Option* effect = command->add_option(
+        "--effect", options->effect, "An effect instead of a lobe: --<port> x or --<port>-code c for each input");
     command->add_option("--lobe", options->lobe, "Lobe, with its options: polynomial:symmetric:0:-1:2")
         ->capture_default_str();
     command->add_option("--profile", options->profile, "p8, p12, p16 or the lobe's F,..,O")->capture_default_str();
@@ -174,11 +179,22 @@ void add_eval(CLI::App& app, Chosen& chosen) {
     from_stdin->excludes(json);
     n->default_str("");  // neither has a default
     code->default_str("");
+    add_port_options(*command, options->ports);
     cosine->excludes(code);
+    effect->excludes(cosine)->excludes(code);
     from_stdin->excludes(n)->excludes(cosine)->excludes(code);
     command->footer("Example: glint eval --lobe bps --profile p12 --n 50 --cos 0.98");
     command->callback([=, &chosen] {
         chosen.run = [=, &chosen] {
+            if (!options->effect.empty()) {
+                if (n->count() != 0) options->ports.codes["n"] = std::to_string(options->n);
+                return eval_effect({options->effect, options->lobe, options->profile, options->json, chosen.command,
+                                    options->port, options->from_stdin},
+                                   options->ports);
+            }
+            if (!options->ports.reals.empty() || !options->ports.codes.empty()) {
+                throw Error("values of ports are not legal without --effect");
+            }
             const LobeChoice choice = parse_lobe(options->lobe);
             const auto model = choice.lobe->golden(choice.profile(options->profile));
             if (options->from_stdin) return Stream(*model, options->port).run();

@@ -3,7 +3,7 @@
 
     lint.py verilator|iverilog|yosys FOLDER...     the folders of the wrappers
 
-The files of a unit are those that the table "Files" of docs/rtl.md lists. Also linted: the shared modules by
+The files of a unit are those that docs/rtl.md, docs/lobes and docs/effects list. Also linted: the shared modules by
 themselves, with parameters at the ends of what is legal, and what rtl/*.f lists. At last, damaged copies of every unit,
 about which the tool must print something: a lint that finds nothing there finds nothing.
 """
@@ -33,6 +33,13 @@ MODULES = {
     "glint_exp2": ("I_W E S O", ((6, 2, 6, 4), (15, 3, 16, 12), (12, 6, 30, 28))),
     "glint_parabola": ("R G V_W C1_W C2_W", ((1, 0, 10, 10, 10), (12, 0, 25, 22, 16), (13, 2, 17, 16, 14))),
     "glint_square": ("S R", ((1, 1), (4, 1), (4, 7), (17, 17), (30, 4), (30, 30))),
+    "glint_stream": ("LATENCY TAG_W", ((2, 1), (25, 17), (50, 64))),
+    "glint_dot": ("F", ((8,), (18,), (30,))),
+    "glint_colour": ("O", ((4,), (12,), (28,))),
+    "glint_effect_lambert": ("F O TAG_W", ((8, 8, 1), (9, 8, 1), (8, 4, 16), (30, 28, 64))),
+    "glint_effect_highlight": ("F O TAG_W", ((8, 4, 1), (30, 28, 64))),
+    "glint_effect_ambient": ("O TAG_W", ((4, 1), (27, 64))),
+    "glint_effect_tint": ("O TAG_W", ((4, 1), (16, 64))),
     "glint_axis": ("F O USER_W", ((8, 4, 1), (8, 28, 16), (30, 4, 1), (30, 28, 64))),
 }
 
@@ -68,9 +75,10 @@ def silent(arguments, folder=ROOT):
 
 
 def file_table():
-    """From docs/rtl.md and docs/lobes: the name of a unit, P in the place of its profile, and its files."""
+    """From docs/rtl.md, docs/lobes and docs/effects: the name of a unit, P in the place of its profile, and its files."""
     table = {}
-    pages = [ROOT / "docs/rtl.md", *sorted((ROOT / "docs/lobes").glob("*.md"))]
+    pages = [ROOT / "docs/rtl.md", *sorted((ROOT / "docs/lobes").glob("*.md")),
+             *sorted((ROOT / "docs/effects").glob("*.md"))]
     text = "\n".join(page.read_text() for page in pages)
     for unit, files in re.findall(r"^\| `(glint_\w+_P)` \| (rtl/generated/.*) \|$", text, re.MULTILINE):
         table[unit] = files.split(", ")
@@ -134,7 +142,7 @@ def lint_file_lists(tool, table):
 def lint_damaged(tool, top, files, folder):
     """One port of the core too narrow: all three tools know that."""
     damaged = Path(folder) / f"{top}.v"
-    text, found = re.subn(r"\(y_o\)|\(m_axis_tdata\)", lambda port: port[0][:-1] + "[3:0])", files[0].read_text())
+    text, found = re.subn(r"\((?:y_o|r_o|m_axis_tdata)\)", lambda port: port[0][:-1] + "[3:0])", files[0].read_text())
     if found != 1:
         raise Failed(f"{files[0]}: {found} results, not one")
     damaged.write_text(text)
