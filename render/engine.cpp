@@ -10,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include "codes.hpp"
 #include "glint/error.hpp"
 #include "models.hpp"
 
@@ -253,6 +254,14 @@ private:
             return x;
         }
     }
+    void numbers(const EffectPort& port, const Lane& x, Column& out) const {
+        out.resize(count_);
+        if constexpr (exact) {
+            codes(port, {x.data(), count_}, out.data());
+        } else {
+            std::copy_n(x.begin(), count_, out.begin());
+        }
+    }
 
     double real(Sum sum) const {
         if constexpr (exact) {
@@ -281,12 +290,10 @@ private:
     /// Ka and Kd times the colour of the fragment; Ks.
     void load_colours(const Material& material, std::span<const std::uint32_t> order) {
         const auto load = [&](Colour& colour, const EffectPort& port, const Vec3& k) {
-            for (auto& channel : colour) channel.resize(count_);
-            for (std::size_t i = 0; i < count_; ++i) {
-                const float(&c)[3] = fragments_[order[i]].colour;
-                colour[0][i] = number(port, k.x * c[0]);
-                colour[1][i] = number(port, k.y * c[1]);
-                colour[2][i] = number(port, k.z * c[2]);
+            const double of_channel[3] = {k.x, k.y, k.z};
+            for (std::size_t c = 0; c < 3; ++c) {
+                for (std::size_t i = 0; i < count_; ++i) lane_[i] = of_channel[c] * fragments_[order[i]].colour[c];
+                numbers(port, lane_, colour[c]);
             }
         };
         if (plan_.ambient != Plan::none) load(ambient_, colour_port(plan_.ambient, "k_r"), material.ambient);
@@ -316,8 +323,7 @@ private:
     void load_dots(unsigned wanted) {
         for (std::size_t d = 0; d < dot_names.size(); ++d) {
             if ((wanted >> d & 1U) == 0) continue;
-            dots_[d].resize(count_);
-            for (std::size_t i = 0; i < count_; ++i) dots_[d][i] = number(*models_.dot_port, geometry_.dots[d][i]);
+            numbers(*models_.dot_port, geometry_.dots[d], dots_[d]);
         }
     }
 
@@ -327,12 +333,9 @@ private:
             fill_colour(light_colour_, port, light.colour);
             return;
         }
-        for (auto& channel : light_colour_) channel.resize(count_);
-        for (std::size_t i = 0; i < count_; ++i) {
-            light_colour_[0][i] = number(port, geometry_.colour.x[i]);
-            light_colour_[1][i] = number(port, geometry_.colour.y[i]);
-            light_colour_[2][i] = number(port, geometry_.colour.z[i]);
-        }
+        numbers(port, geometry_.colour.x, light_colour_[0]);
+        numbers(port, geometry_.colour.y, light_colour_[1]);
+        numbers(port, geometry_.colour.z, light_colour_[2]);
     }
 
     /// Runs a unit on the block. Its ports of kind dot, parameter, colour and term are fed from the block's dot
@@ -392,6 +395,7 @@ private:
 
     std::size_t count_ = 0;
     Geometry geometry_;
+    Lane lane_;
     std::vector<std::uint32_t> tags_;
     std::array<Column, dot_names.size()> dots_;
     Colour ambient_, diffuse_, specular_, light_colour_, results_;

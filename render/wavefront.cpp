@@ -47,6 +47,32 @@ std::vector<std::string> fields(const std::string& line) {
     return out;
 }
 
+/// Text of a file for a message or a JSON file: one line, and in UTF-8: bytes that are none become '?'.
+std::string printable(const std::string& text) {
+    std::string out;
+    for (std::size_t i = 0; i < text.size();) {
+        const auto byte = static_cast<unsigned char>(text[i]);
+        const std::size_t length = byte < 0x80   ? 1
+                                   : byte < 0xc2 ? 0
+                                   : byte < 0xe0 ? 2
+                                   : byte < 0xf0 ? 3
+                                   : byte < 0xf5 ? 4
+                                                 : 0;
+        bool good = length != 0 && i + length <= text.size();
+        for (std::size_t k = 1; good && k < length; ++k)
+            good = (static_cast<unsigned char>(text[i + k]) & 0xc0U) == 0x80U;
+        if (!good) {
+            out += '?';
+            ++i;
+        } else {
+            out += byte < 0x20 ? std::string(1, ' ') : text.substr(i, length);
+            i += length;
+        }
+    }
+    out.erase(out.find_last_not_of(' ') + 1);
+    return out;
+}
+
 /// The fields after the key as numbers. tinyobjloader reads as 0 what it cannot read; here that is an error.
 std::vector<double> numbers(const std::vector<std::string>& line, const std::string& where) {
     std::vector<double> out;
@@ -136,8 +162,7 @@ Vec3 colour(const tinyobj::real_t (&k)[3], const char* key, const std::string& m
 
 Material translate(const tinyobj::material_t& mtl, std::vector<std::string>& warnings) {
     Material out;
-    out.name = mtl.name;
-    std::replace(out.name.begin(), out.name.end(), space, ' ');
+    out.name = printable(mtl.name);  // and `space` is a space again
     const Vec3 ambient = colour(mtl.ambient, "Ka", out.name, warnings);
     const Vec3 diffuse = colour(mtl.diffuse, "Kd", out.name, warnings);
     const Vec3 specular = colour(mtl.specular, "Ks", out.name, warnings);
@@ -221,13 +246,6 @@ Vec3 at(const std::vector<tinyobj::real_t>& values, int index) {
     return {values[i], values[i + 1], values[i + 2]};
 }
 
-std::string one_line(std::string text) {
-    while (!text.empty() && std::isspace(static_cast<unsigned char>(text.back())) != 0) text.pop_back();
-    std::replace(text.begin(), text.end(), '\n', ' ');
-    std::replace(text.begin(), text.end(), space, ' ');
-    return text;
-}
-
 }  // namespace
 
 int exponent(double ns, const std::string& material, std::vector<std::string>& warnings) {
@@ -246,7 +264,7 @@ void set_models(Material& material, const std::string& names, const std::string&
     for (std::string name; in >> name;) {
         const LightingModel* model = find_model(name);
         if (model == nullptr) {
-            throw Error(fmt::format("{}: brdf '{}' is not known: {}", where, name, known_models()));
+            throw Error(fmt::format("{}: brdf '{}' is not known: {}", where, printable(name), known_models()));
         }
         bool& taken = model->diffuse ? diffuse : specular;
         if (taken) {
@@ -292,9 +310,9 @@ Model read_obj(const std::filesystem::path& path, std::vector<std::string>& warn
     std::string error;
     Materials reader(path.parent_path());
     if (!tinyobj::LoadObj(&attributes, &shapes, &materials, &warning, &error, &in, &reader)) {
-        throw Error(fmt::format("{}: {}", file, error.empty() ? "is not a Wavefront OBJ file" : one_line(error)));
+        throw Error(fmt::format("{}: {}", file, error.empty() ? "is not a Wavefront OBJ file" : printable(error)));
     }
-    if (!warning.empty()) warnings.push_back(fmt::format("{}: {}", file, one_line(warning)));
+    if (!warning.empty()) warnings.push_back(fmt::format("{}: {}", file, printable(warning)));
 
     Model out;
     for (const tinyobj::material_t& mtl : materials) out.materials.push_back(translate(mtl, warnings));
