@@ -1,5 +1,5 @@
 // glint_exp_log: the blocks log2 and exp2, and tables of quadratic pieces, for the kernels of blinn_phong,
-// spherical_gaussian and gauss. Names, arithmetic and ranges: docs/exp-log.md.
+// spherical_gaussian, gauss and ward. Names, arithmetic and ranges: docs/exp-log.md.
 #ifndef GLINT_EXP_LOG_HPP
 #define GLINT_EXP_LOG_HPP
 
@@ -74,7 +74,9 @@ uint<Constants::O + 1> exp2(uint<T_W> t) {
     // y = rnd(p, S - O + the integer part): cut to one bit more, then rounded by that bit. Nothing is left of p from an
     // integer part of O + 2 on.
     const uint<T_W - S> integer_part = to_uint<T_W - S>(t >> S);
-    const uint<O + 2> top = to_uint<O + 2>(p >> (S - O - 1));
+    constexpr int cut_off = S > O ? S - O - 1 : 0;  // of p, so that one bit below the last of y is left; or zeros follow
+    constexpr int appended = S > O ? 0 : O + 1 - S;
+    const uint<O + 2> top = to_uint<O + 2>(to_uint<O + 2>(p >> cut_off) << appended);
     const uint<O + 2> cut = integer_part > O + 1 ? to_uint<O + 2>(0) : to_uint<O + 2>(top >> to_uint<5>(integer_part));
     return to_uint<O + 1>(rnd<1>(cut));
 }

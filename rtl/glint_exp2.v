@@ -9,7 +9,7 @@
 module glint_exp2 #(
     parameter I_W = 15,  // integer bits of t, at least 6
     parameter E   = 3,   // address bits, at least 2
-    parameter S   = 16,  // fraction bits of t and p, above O and above 2 E + 1
+    parameter S   = 16,  // fraction bits of t and p, above 2 E + 1
     parameter O   = 12   // fraction bits of y, 4 .. 28
 ) (
     input  wire               clk_i,
@@ -70,12 +70,22 @@ module glint_exp2 #(
         .data_o  ({nothing, shift})
     );
 
+    // p at O + 1 fraction bits; where that is more than S, zeros follow.
+    wire [O+1:0] head;
+    generate
+        if (S > O) begin : cut
+            assign head = p[S:S-O-1];
+        end else begin : pad
+            assign head = {p, {(O + 1 - S) {1'b0}}};
+        end
+    endgenerate
+
     // y = rnd(p, S - O + shift): cut to one bit more, then rounded by that bit.
     reg [O+1:0] cut_q;
     reg   [O:0] y_q;
     always @(posedge clk_i) begin
         if (enable_i) begin
-            cut_q <= nothing ? {(O + 2) {1'b0}} : p[S:S-O-1] >> shift;
+            cut_q <= nothing ? {(O + 2) {1'b0}} : head >> shift;
             y_q   <= negative_i ? {(O + 1) {1'b0}} : cut_q[O+1:1] + {{O{1'b0}}, cut_q[0]};
         end
     end

@@ -7,9 +7,10 @@
 `default_nettype none
 
 module glint_log2 #(
-    parameter F = 18,  // fraction bits of C, 8 .. 30
-    parameter T = 5,   // address bits, 4 .. F - 2
-    parameter L = 25   // fraction bits of u, above F and above 2 T
+    parameter F   = 18,  // fraction bits of C, 8 .. 30
+    parameter T   = 5,   // address bits, 4 .. F - CUT - 2
+    parameter L   = 25,  // fraction bits of u, above F - CUT and above 2 T
+    parameter CUT = 0    // low bits of the normalised C that are dropped
 ) (
     input  wire             clk_i,
     input  wire             enable_i,
@@ -19,7 +20,7 @@ module glint_log2 #(
     output wire     [L+4:0] u_o        // 0 .. F 2^L, and 31 2^L for C = 0
 );
 
-    localparam R    = F - 1 - T;
+    localparam R    = F - CUT - 1 - T;
     localparam C1_W = L - T + 2;      // 0 < h <= c1 <= 1.45 2^(L-T), signed
     localparam C2_W = L - 2 * T + 1;  // 0 > c2 > -2^(L-2T), signed
 
@@ -32,13 +33,13 @@ module glint_log2 #(
         end
     endfunction
 
-    reg   [F:0] cosine_q;
-    reg   [4:0] z_q;
-    reg         none_q;
-    reg [F-2:0] mantissa_q;  // M: what follows the leading one, F - 1 bits
-    reg [R-1:0] r_q;
+    reg       [F:0] cosine_q;
+    reg       [4:0] z_q;
+    reg             none_q;
+    reg [F-CUT-2:0] mantissa_q;  // M: what follows the leading one, F - CUT - 1 bits
+    reg     [R-1:0] r_q;
 
-    // The leading one has left; the last bit is 0, since only C = 2^F is not shifted.
+    // The leading one has left; the last bit is 0 where CUT is 0, since only C = 2^F is not shifted.
     /* verilator lint_off UNUSED */
     wire  [F:0] normal = cosine_q << z_q;
     /* verilator lint_on UNUSED */
@@ -47,11 +48,11 @@ module glint_log2 #(
             cosine_q   <= cosine_i;
             z_q        <= zeros(cosine_i);
             none_q     <= ~|cosine_i;
-            mantissa_q <= normal[F-1:1];
+            mantissa_q <= normal[F-1:CUT+1];
             r_q        <= mantissa_q[R-1:0];
         end
     end
-    assign address_o = mantissa_q[F-2:R];
+    assign address_o = mantissa_q[F-CUT-2:R];
 
     // l = log2(1 + M / 2^(F-1)) < 1: L bits.
     wire [L-1:0] l;

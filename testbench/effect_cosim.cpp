@@ -182,9 +182,10 @@ private:
         for (std::size_t i = 0; i < stimulus.tags.size(); ++i) {
             for (std::size_t p = 0; p < in.size(); ++p) in[p] = ports[p].real(stimulus.columns[p][i]);
             const std::vector<double> real = model_.reference(in);
+            const double scale = model_.bound_scale(in);
             for (std::size_t p = 0; p < real.size(); ++p) {
                 const EffectPort& port = model_.outputs()[p];
-                const double ulp = std::abs(expected_[p][i] - std::ldexp(real[p], port.fraction_bits));
+                const double ulp = std::abs(expected_[p][i] - std::ldexp(real[p], port.fraction_bits)) / scale;
                 if (!(ulp <= largest_.ulp)) {  // NaN counts as larger
                     largest_ = {ulp, std::string(port.name), stimulus.row(i)};
                     larger = true;

@@ -30,7 +30,8 @@ struct EffectRequest {
     std::string trace_file;  ///< waveform of the first mismatch's neighbourhood; empty: none
 };
 
-/// The largest difference of the golden model and the real function, and where it was seen.
+/// The largest difference of the golden model and the real function, in the units of Effect::bound_ulp, and where it was
+/// seen.
 struct EffectError {
     double ulp = -1.0;  ///< -1: nothing seen
     std::string output;

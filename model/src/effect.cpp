@@ -103,17 +103,24 @@ std::vector<Intermediate> EffectModel::trace(std::span<const std::int64_t> in) c
     return intermediates(codes.data());
 }
 
-std::vector<double> EffectModel::reference(std::span<const double> in) const {
+std::vector<double> EffectModel::legal(std::span<const double> in) const {
     if (in.size() != inputs_.size()) {
         throw Error(fmt::format("{} values are not legal for {}: {}", in.size(), effect_, inputs_.size()));
     }
-    std::vector<double> arguments(in.begin(), in.end()), out(outputs_.size());
+    std::vector<double> arguments(in.begin(), in.end());
     for (std::size_t p = 0; p < arguments.size(); ++p) {
         const double x = std::isnan(arguments[p]) ? 0.0 : arguments[p];
         arguments[p] = std::clamp(x, inputs_[p].real(inputs_[p].low), inputs_[p].real(inputs_[p].high));
     }
-    real(arguments.data(), out.data());
+    return arguments;
+}
+
+std::vector<double> EffectModel::reference(std::span<const double> in) const {
+    std::vector<double> out(outputs_.size());
+    real(legal(in).data(), out.data());
     return out;
 }
+
+double EffectModel::bound_scale(std::span<const double> in) const { return scale(legal(in).data()); }
 
 }  // namespace glint

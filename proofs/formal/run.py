@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Proves the stream handshake and the divider of the Verilog in rtl/, with Yosys and z3.
+"""Proves the stream handshake, the divider and the square root of the Verilog in rtl/, with Yosys and z3.
 
 A task copies the modules that it needs, adds the property file of each before its `endmodule`, and hands the result to
 yosys-smtbmc. `induction` holds for any length of run, `cover` shows that what the properties speak of does happen, and
@@ -36,7 +36,7 @@ class Task:
     name: str
     shows: str
     top: str                       # the module under proof
-    kind: str                      # unit, axis (its wrapper), or a shared module: skid, delay, divider
+    kind: str                      # unit, axis (its wrapper), or a shared module: skid, delay, divider, sqrt
     parameters: dict
     method: str                    # induction, cover or bug
     depth: int                     # induction: the largest k tried; else the clocks looked at
@@ -111,6 +111,14 @@ DIVIDER_BUGS = [
     ("enable_ignored", "holds", "if (enable_i) begin", "if (enable_i | fits) begin"),
 ]
 
+SQRT_BUGS = [
+    ("equal_does_not_fit", "one_stage", "fits = shifted >= trial;", "fits = shifted > trial;"),
+    ("root_inverted", "stage_moves", "root_q <= {stage[i-1].root_q, fits};", "root_q <= {stage[i-1].root_q, ~fits};"),
+    ("bits_of_another", "is_root", "bits_q <= stage[i-1].waiting.bits_q[2*(Y_W-1-i)-1:0];",
+     "bits_q <= radicand_i[2*(Y_W-1-i)-1:0];"),
+    ("enable_ignored", "holds", "if (enable_i) remainder_q <= reduced;", "remainder_q <= reduced;"),
+]
+
 
 def bugs(group, top, kind, parameters, depth, module, table, defines=()):
     return [Task(f"bugs.{group}.{name}", f"`{prop}` fails", top, kind, parameters, "bug", depth,
@@ -153,6 +161,13 @@ def tasks():
                  "glint_divider", "divider", small, "induction", 1, defines=("MULTIPLY",)),
             Task("divider.cover", "not vacuous", "glint_divider", "divider", small, "cover", 12),
             *bugs("divider", "glint_divider", "divider", small, 9, "glint_divider", DIVIDER_BUGS, ("MULTIPLY",))]
+    for bits in (16, 19, 24):
+        out.append(Task(f"sqrt.stage.{bits}", "each stage: 4 remainder + bits = fits (4 root + 1) + reduced", "glint_sqrt",
+                        "sqrt", {"Y_W": bits}, "induction", 1))
+    out += [Task("sqrt.multiply", "root^2 + remainder = radicand, remainder <= 2 root, as written; holds without enable",
+                 "glint_sqrt", "sqrt", {"Y_W": 5}, "induction", 1, defines=("MULTIPLY",)),
+            Task("sqrt.cover", "not vacuous", "glint_sqrt", "sqrt", {"Y_W": 5}, "cover", 12, defines=("MULTIPLY",)),
+            *bugs("sqrt", "glint_sqrt", "sqrt", {"Y_W": 5}, 9, "glint_sqrt", SQRT_BUGS, ("MULTIPLY",))]
     for lobe in LOBES:
         small = SMALL.get(lobe) or word_lengths(lobe, "p8")
         unit, wrapper = f"glint_{lobe}", f"glint_{lobe}_axis_p12"
@@ -389,7 +404,7 @@ def chosen(all_tasks, only):
 
 
 def main():
-    parser = argparse.ArgumentParser(description="Handshake of the stream units, and the divider, by Yosys and z3.",
+    parser = argparse.ArgumentParser(description="Handshake of the stream units, divider and square root, by Yosys and z3.",
                                      epilog="Example: run.py --only bps --only bugs.bps --json formal.json")
     parser.add_argument("--only", action="append", default=[], metavar="NAME",
                         help="a task, or a group of tasks (skid, divider.stage, bugs.bps); may be given several times")

@@ -84,14 +84,15 @@ class Exp2:
         self.pieces = None
 
     def refusal(self):
-        return in_range(E=(self.E, 2, 8), S=(self.S, max(self.O + 1, 2 * self.E + 2), 32))
+        return in_range(E=(self.E, 2, 8), S=(self.S, 2 * self.E + 2, 32))
 
     def __call__(self, t):
         """p, y."""
         self.pieces = self.pieces or Pieces(lambda x: (-x * Decimal(2).ln()).exp(), self.E, self.S - self.E, self.S, 2)
         i, f = divmod(t, 1 << self.S)
         p = self.pieces.value(f >> self.pieces.R, f % (1 << self.pieces.R))
-        return p, rnd(p, self.S - self.O + i)
+        cut = self.S - self.O + i
+        return p, p << -cut if cut < 0 else rnd(p, cut)
 
 
 def edges(F, exponent):

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""The benches of glint_divider, glint_delay and glint_skid in Icarus, and bugs planted in copies of these modules,
-which the benches must find. With an argument, the unit of that name only."""
+"""The benches of glint_divider, glint_sqrt, glint_delay and glint_skid in Icarus, and bugs planted in copies of these
+modules, which the benches must find. With an argument, the unit of that name only."""
 
 import sys
 import tempfile
@@ -10,6 +10,7 @@ import icarus
 
 HERE = Path(__file__).parent
 RANDOM_DIVISIONS = 10000
+RANDOM_ROOTS = 10000
 
 
 def exhaustive(X_W, Y_W, Q_W):
@@ -47,6 +48,22 @@ UNITS = {
             (r"\{bits\[Q_W-2:0\], fits\}", "{bits[Q_W-2:0], fits | divisor == 6}"),
         ],
     ),
+    "sqrt": (
+        "roots",
+        [
+            *(({"Y_W": bits, "ROOTS": 0}, 4**bits) for bits in (2, 3, 4, 7)),
+            *(({"Y_W": bits, "ROOTS": RANDOM_ROOTS}, RANDOM_ROOTS) for bits in (16, 19, 24, 32)),
+        ],
+        [
+            (r"fits = shifted >= trial", "fits = shifted > trial"),
+            (r"stage\[i-1\].root_q, 2'b01\}", "stage[i-1].root_q, 2'b00}"),
+            (r"if \(enable_i\) remainder_q <= reduced", "remainder_q <= reduced"),
+            (r"if \(enable_i\) root_q <= \{stage", "root_q <= {stage"),
+            (r"bits_q <= stage\[i-1\].waiting.bits_q", "bits_q <= stage[0].waiting.bits_q"),
+            (r"assign root_o      = stage\[Y_W-1\].root_q", "assign root_o      = {stage[Y_W-2].root_q, 1'b0}"),
+            (r"assign remainder_o = stage\[Y_W-1\].remainder_q", "assign remainder_o = {(Y_W + 1) {1'b0}}"),
+        ],
+    ),
     "delay": (
         "items",
         [
@@ -77,7 +94,7 @@ UNITS = {
     ),
 }
 # Planted bugs are looked for with these parameters, an index of the list above.
-HUNTED = {"divider": (6, 13), "delay": (3,), "skid": (1,)}
+HUNTED = {"divider": (6, 13), "sqrt": (3, 5), "delay": (3,), "skid": (1,)}
 
 
 def simulate(folder, rtl, unit, parameters):

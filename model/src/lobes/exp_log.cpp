@@ -109,7 +109,7 @@ Log2::Steps Log2::steps(std::int64_t C) const {
     if (C == 0) return {F + 1, 0, 0, 0, std::int64_t{31} << L};
     Steps x;
     x.z = F + 1 - static_cast<int>(std::bit_width(static_cast<std::uint64_t>(C)));
-    x.M = ((C << x.z) - (std::int64_t{1} << F)) >> 1;
+    x.M = ((C << x.z) - (std::int64_t{1} << F)) >> (1 + cut);
     const Pieces::Steps l = pieces.steps(static_cast<std::size_t>(x.M >> pieces.R), x.M & ((1 << pieces.R) - 1));
     x.h = l.h;
     x.l = l.value;
@@ -117,14 +117,15 @@ Log2::Steps Log2::steps(std::int64_t C) const {
     return x;
 }
 
-Table Log2::table() const { return pieces.table("log2", L, L - T + 2, L - 2 * T + 1); }
+Table Log2::table(std::string_view name) const { return pieces.table(name, L, L - T + 2, L - 2 * T + 1); }
 
 Exp2::Steps Exp2::steps(std::int64_t t) const {
     const std::int64_t fraction = t & ((std::int64_t{1} << S) - 1);
     const auto integer = static_cast<int>(std::min<std::int64_t>(t >> S, O + 2));  // 0 from there on
     const Pieces::Steps p =
         pieces.steps(static_cast<std::size_t>(fraction >> pieces.R), fraction & ((std::int64_t{1} << pieces.R) - 1));
-    return {p.h, p.value, rnd(p.value, S - O + integer)};
+    const int cut = S - O + integer;
+    return {p.h, p.value, cut < 0 ? p.value << -cut : rnd(p.value, cut)};
 }
 
 Table Exp2::table() const { return pieces.table("exp2", S + 1, S - E + 1 + pieces.G, S - 2 * E + pieces.G); }
@@ -136,16 +137,16 @@ WordLengths word_lengths(std::string_view lobe, const Profile& profile) {
     return {profile.custom[1], profile.custom[2], profile.custom[3], profile.custom[4]};
 }
 
-Log2 make_log2(std::string_view lobe, int F, int T, int L) {
-    in_range(lobe, "T", T, 4, std::min(10, F - 2));
-    in_range(lobe, "L", L, std::max(F + 1, 2 * T + 1), 38);
-    const int R = F - 1 - T;
-    return {F, T, L, make_pieces(log2_1p, T, R, L, 0)};
+Log2 make_log2(std::string_view lobe, int F, int T, int L, int cut) {
+    in_range(lobe, "T", T, 4, std::min(10, F - cut - 2));
+    in_range(lobe, "L", L, std::max(F - cut + 1, 2 * T + 1), 38);
+    const int R = F - cut - 1 - T;
+    return {F, T, L, cut, make_pieces(log2_1p, T, R, L, 0)};
 }
 
 Exp2 make_exp2(std::string_view lobe, int E, int S, int O) {
     in_range(lobe, "E", E, 2, 8);
-    in_range(lobe, "S", S, std::max(O + 1, 2 * E + 2), 32);
+    in_range(lobe, "S", S, 2 * E + 2, 32);
     return {E, S, O, make_pieces(exp2_minus, E, S - E, S, exp2_guard_bits)};
 }
 

@@ -51,23 +51,24 @@ Pieces make_pieces(const std::function<Wide(int x, int bits)>& real, int address
 
 /// u = -log2(C / 2^F).
 struct Log2 {
-    int F = 0;  ///< fraction bits of C
-    int T = 0;  ///< address bits
-    int L = 0;  ///< fraction bits of u
+    int F = 0;    ///< fraction bits of C
+    int T = 0;    ///< address bits
+    int L = 0;    ///< fraction bits of u
+    int cut = 0;  ///< low bits of the normalised C that are dropped
     Pieces pieces;
 
     struct Steps {
         std::int64_t z = 0, M = 0, h = 0, l = 0, u = 0;
     };
     Steps steps(std::int64_t C) const;
-    Table table() const;
+    Table table(std::string_view name = "log2") const;
 };
 
 /// y = 2^-t.
 struct Exp2 {
     int E = 0;  ///< address bits
     int S = 0;  ///< fraction bits of t and p
-    int O = 0;  ///< fraction bits of y
+    int O = 0;  ///< fraction bits of y; where it is above S, the last bits of a y near 1 are 0
     Pieces pieces;
 
     struct Steps {
@@ -84,7 +85,7 @@ struct WordLengths {
 WordLengths word_lengths(std::string_view lobe, const Profile& profile);
 
 /// Throw Error unless the word lengths are legal (docs/exp-log.md).
-Log2 make_log2(std::string_view lobe, int F, int T, int L);
+Log2 make_log2(std::string_view lobe, int F, int T, int L, int cut = 0);
 Exp2 make_exp2(std::string_view lobe, int E, int S, int O);
 
 /// Inputs for which the last block is at its ends, at several n: the least cosine with a result, the one before it, the
