@@ -12,7 +12,6 @@
 
 #include "codes.hpp"
 #include "glint/error.hpp"
-#include "models.hpp"
 
 namespace glint::render {
 namespace {
@@ -224,8 +223,7 @@ public:
             load_dots(wanted);
             load_light(light);
             for (const Term& term : of.terms) {
-                const LightingModel& model = *find_model(plan_.units[term.unit].effect);
-                evaluate(term.unit, {}, nullptr, model.parameters(material), false);
+                evaluate(term.unit, {}, nullptr, term.parameters, false);
                 evaluate(plan_.tint, {term.diffuse ? &diffuse_ : &specular_, &light_colour_}, term_.data(), {},
                          term.shown);
             }

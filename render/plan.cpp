@@ -19,7 +19,8 @@ std::size_t unit(Plan& plan, std::string_view effect, const std::string& lobe) {
 Term term(Plan& plan, const LightingModel& model, const Material& material, const std::string& lobe, bool shown) {
     const bool takes_lobe = find_effect(model.name).takes_lobe;
     const std::string& choice = material.lobe.empty() ? lobe : material.lobe;
-    return {unit(plan, model.name, takes_lobe ? choice : std::string()), model.diffuse, shown};
+    return {unit(plan, model.name, takes_lobe ? choice : std::string()), model.diffuse, shown,
+            model.parameters(material)};
 }
 
 }  // namespace
@@ -54,9 +55,10 @@ Plan make_plan(const Scene& scene, const std::vector<Fragment>& fragments, const
         }
     }
     for (const Effect& effect : effects()) {
+        const bool usable = effect.name == "ambient" || effect.name == "tint" || find_model(effect.name) != nullptr;
         const bool needed = std::any_of(plan.units.begin(), plan.units.end(),
                                         [&](const UnitPlan& u) { return u.effect == effect.name; });
-        if (!needed) plan.not_needed.emplace_back(effect.name);
+        if (usable && !needed) plan.not_needed.emplace_back(effect.name);
     }
     return plan;
 }

@@ -21,7 +21,8 @@ struct UnitPlan {
 struct Term {
     std::size_t unit = 0;  ///< of Plan::units
     bool diffuse = false;
-    bool shown = true;  ///< false: evaluated only because every unit is to evaluate every fragment
+    bool shown = true;               ///< false: evaluated only because every unit is to evaluate every fragment
+    std::vector<double> parameters;  ///< of the material, for the unit's ports of that kind
 };
 
 struct MaterialPlan {
@@ -35,7 +36,7 @@ struct MaterialPlan {
 struct Plan {
     std::vector<UnitPlan> units;
     std::vector<MaterialPlan> materials;  ///< those that the camera sees
-    std::vector<std::string> not_needed;  ///< effects that no visible material calls for
+    std::vector<std::string> not_needed;  ///< terms, ambient and tint that no visible material calls for
     static constexpr std::size_t none = static_cast<std::size_t>(-1);
     std::size_t ambient = none;  ///< of `units`
     std::size_t tint = none;

@@ -14,6 +14,7 @@
 
 #include "glint/error.hpp"
 #include "glint/lobes.hpp"
+#include "models.hpp"
 #include "wavefront.hpp"
 
 namespace glint::render {
@@ -314,6 +315,7 @@ Scene load_json(const std::filesystem::path& path, double aspect) {
     } else {
         scene.lights = key_and_fill(scene.camera);
     }
+    warn_of_limits(scene.materials, scene.warnings);
     return scene;
 }
 
@@ -332,6 +334,7 @@ Scene load_scene(const std::filesystem::path& path, double aspect) {
     scene.background_bottom = {0.05, 0.055, 0.065};
     scene.camera = framing(scene.triangles, aspect);
     scene.lights = key_and_fill(scene.camera);
+    warn_of_limits(scene.materials, scene.warnings);
     return scene;
 }
 

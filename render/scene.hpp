@@ -19,8 +19,8 @@ struct Material {
     Vec3 diffuse;                ///< Kd
     Vec3 specular;               ///< Ks
     int exponent = 1;            ///< Ns, 1 .. 1023
-    double roughness = 0;        ///< Pr: oren_nayar's sigma, Beckmann's m, Ward's alpha; 0: not given
-    double anisotropy = 0;       ///< aniso, 0 .. 1 below 1: Ward's two alphas
+    double roughness = 0.3;      ///< Pr, 0 .. 1: sigma of oren_nayar, m of cook_torrance, alpha of ward
+    double anisotropy = 0;       ///< aniso, 0 .. 0.99: how far the two alphas of ward are apart
     double index = 1.5;          ///< Ni, index of refraction, at least 1
     std::string diffuse_model;   ///< an effect, or empty: no diffuse term
     std::string specular_model;  ///< an effect, or empty: no highlight

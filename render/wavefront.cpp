@@ -82,8 +82,8 @@ std::vector<double> numbers(const std::vector<std::string>& line, const std::str
         double x = 0.0;
         const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), x);
         if (error != std::errc{} || end != text.data() + text.size() || !(std::abs(x) <= largest_coordinate)) {
-            throw Error(fmt::format("{}: '{}' is not legal: {} takes numbers from {:g} to {:g}", where, line[i],
-                                    line[0], -largest_coordinate, largest_coordinate));
+            throw Error(fmt::format("{}: '{}' is not legal: {} takes numbers from {:g} to {:g}", where,
+                                    printable(line[i]), line[0], -largest_coordinate, largest_coordinate));
         }
         out.push_back(x);
     }
@@ -121,7 +121,7 @@ std::string joined(std::vector<Line> lines) {
     return out;
 }
 
-/// The text of an MTL file with what tinyobjloader does not know filled in: the defaults of `illum` and `Ni`, and
+/// The text of an MTL file with what tinyobjloader does not know filled in: the defaults of `illum`, `Ni` and `Pr`, and
 /// colours of one number, which stands for all three channels.
 std::string complete_mtl(const std::string& text, const std::string& file) {
     std::vector<Line> lines = logical_lines(text);
@@ -131,7 +131,7 @@ std::string complete_mtl(const std::string& text, const std::string& file) {
         const std::string& key = field.front();
         const bool colour = key == "Ka" || key == "Kd" || key == "Ks";
         if (key == "newmtl") {
-            line.after = "illum 2\nNi 1.5\n";
+            line.after = "illum 2\nNi 1.5\nPr 0.3\n";
         } else if (colour || key == "Ns" || key == "Ni" || key == "Pr" || key == "aniso" || key == "illum") {
             const std::string where = fmt::format("{}:{}", file, line.number);
             const std::vector<double> x = numbers(field, where);

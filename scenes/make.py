@@ -445,6 +445,29 @@ def figure():
         camera={"eye": [0, 2.6, 3.4], "target": [0, -0.02, 0], "fov": 31})
 
 
+def models():
+    """Every lighting model, in the order of the registry, by roughness."""
+    highlight = {"Ka": [0.05, 0.06, 0.07], "Kd": [0.10, 0.12, 0.15], "Ks": [0.5, 0.5, 0.5]}
+    matte = {"Ka": [0.30, 0.17, 0.11], "Kd": [0.62, 0.34, 0.22]}
+    columns = [("lambert", matte), ("oren_nayar", matte), ("phong", highlight), ("blinn_phong", highlight),
+               ("ward", {**highlight, "Ks": [0.12, 0.12, 0.12], "aniso": 0.6}), ("cook_torrance", highlight),
+               ("cook_torrance_modified", highlight)]
+    materials, objects = {}, []
+    for i, (model, colours) in enumerate(columns):
+        for j, roughness in enumerate((0.15, 0.3, 0.6)):
+            name = f"{model}, Pr = {roughness}"
+            materials[name] = {**colours, "brdf": model, "Pr": roughness, "Ni": 3.0, "Ns": round(2 / roughness ** 2)}
+            objects.append({"file": "sphere.obj", "material": name, "scale": 0.44,
+                            "translate": [i - (len(columns) - 1) / 2, 1 - j, 0]})
+    return scene(
+        "Columns are lighting models: lambert, oren_nayar, phong, blinn_phong, ward, cook_torrance and its modified "
+        "form; rows are roughness 0.15, 0.3, 0.6.",
+        objects=objects, materials=materials,
+        lights=[{"direction": [0.5, -0.6, -0.8], "colour": [1, 0.97, 0.92]}],
+        ambient=[0.2, 0.2, 0.22], background={"top": [0.04, 0.045, 0.055], "bottom": [0.015, 0.016, 0.02]},
+        camera={"eye": [0, 0, 16], "target": [0, 0, 0], "fov": 14.2})
+
+
 def files():
     return {
         "sphere.obj": sphere(), "vase.obj": vase(), "bowl.obj": bowl(), "apple.obj": apple(), "pear.obj": pear(),
@@ -453,7 +476,7 @@ def files():
         "matte_ground.obj": ground("the paper of matte.json", blockers(MATTE), MATTE_LIGHT, 6.5, 3.4, -3.6, 5.0, 66, 44),
         "many_lights_floor.obj": floor(), "bulbs.obj": bulb_model(), "bulbs.mtl": bulb_materials(),
         "still_life.json": still_life(), "sphere_grid.json": sphere_grid(), "matte.json": matte(),
-        "many_lights.json": many_lights(), "figure.json": figure(),
+        "many_lights.json": many_lights(), "figure.json": figure(), "models.json": models(),
     }
 
 

@@ -14,8 +14,8 @@ using namespace glint::render;
 
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr double inf = std::numeric_limits<double>::infinity();
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr double ulp = 1.0 / 4096;  // p12
 
 /// One pixel that shows a point at the origin, seen from (0, 0, 2).
@@ -118,7 +118,7 @@ TEST_CASE("shading: normals of length 0 and other than 1") {
         point.normal({0, 0, length});
         CHECK(point.colour() == unit);
     }
-    for (const Vec3& none : {Vec3{0, 0, 0}, Vec3{nan, 0, 1}, Vec3{inf, 0, 0}}) {
+    for (const Vec3& none : {Vec3{0, 0, 0}, Vec3{not_a_number, 0, 1}, Vec3{infinite, 0, 0}}) {
         point.normal(none);
         CHECK(point.colour() == ambient_alone);
     }
@@ -256,7 +256,7 @@ TEST_CASE("shading: columns of codes are EffectPort::code") {
     for (const char* effect : {"blinn_phong", "tint"}) {
         const auto model = find_effect(effect).golden(parse_profile("p16"), "bps");
         for (const EffectPort& port : model->inputs()) {
-            std::vector<double> x{0.0, -0.0, nan, inf, -inf, 1e300, -1e300, 1.0, -1.0, 5e-324};
+            std::vector<double> x{0.0, -0.0, not_a_number, infinite, -infinite, 1e300, -1e300, 1.0, -1.0, 5e-324};
             for (std::int64_t k = -3; k < 40; ++k) {
                 for (const double part : {0.0, 0.25, 0.5, 0.75}) {
                     const double exact = std::ldexp(static_cast<double>(k * k * k) + part, -port.fraction_bits);
