@@ -10,8 +10,8 @@ module glint_scaled_power #(
     parameter E     = 3,   // address bits, at least 2
     parameter S     = 16,  // fraction bits of z
     parameter K     = 16,  // fraction bits of the factor
-    parameter BELOW = 16,  // the factor is 0 or at least 2^-BELOW: 0 .. K
-    parameter O     = 12   // fraction bits of y; S + K above O + 8 + BELOW, or by at most 6 below
+    parameter BELOW = 16,  // the factor is 0 or at least 2^-BELOW: 0 .. K, at most 53 - O
+    parameter O     = 12   // fraction bits of y
 ) (
     input  wire               clk_i,
     input  wire               enable_i,

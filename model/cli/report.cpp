@@ -25,6 +25,11 @@ int report(const ReportOptions& options) {
         proofs = read_proofs(options.proofs);
         command += " --proofs " + options.proofs;
     }
+    std::optional<CpuPrices> cpu;
+    if (!options.cpu.empty()) {
+        cpu = read_cpu_prices(options.cpu);
+        command += " --cpu " + options.cpu;
+    }
     command += " -o " + options.output;
 
     const std::vector<MeasuredRun> measured = measured_runs(files);
@@ -51,7 +56,7 @@ int report(const ReportOptions& options) {
     for (const std::string_view theme : themes) {
         if (!plots.measured.empty()) write(overview_file(theme), pictures.at(overview_file(theme)));
     }
-    write("index.html", page({files, proofs, measured, plots, pictures, command}));
+    write("index.html", page({files, proofs, cpu, measured, plots, pictures, command}));
     return success;
 }
 

@@ -10,6 +10,7 @@ namespace glint::cli {
 struct ReportOptions {
     std::vector<std::string> results;  ///< JSON files of `glint-cosim --json` and `glint sweep --json`
     std::string proofs;                ///< JSON file of proofs/gappa/run.py --json; may be empty
+    std::string cpu;                   ///< JSON file of bench/run.py --json; may be empty
     std::string output;                ///< folder for index.html, the figures and the pictures
 };
 

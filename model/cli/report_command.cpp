@@ -11,9 +11,10 @@ void add_report(CLI::App& app, Chosen& chosen) {
     command->add_option("--results", options->results, "JSON files of glint-cosim or glint sweep")->required();
     command->add_option("--proofs", options->proofs,
                         "JSON file of proofs/gappa/run.py, for the table of proven bounds");
+    command->add_option("--cpu", options->cpu, "JSON file of bench/run.py, for what lobes cost on a processor");
     command->add_option("-o,--output", options->output, "Folder for index.html, figures/*.csv and the pictures")
         ->capture_default_str();
-    command->footer("Example: glint report --results build/cosim.json --proofs build/proofs.json -o report");
+    command->footer("Example: glint report --results cosim.json --proofs proofs.json --cpu cost/cpu.json -o report");
     command->callback([=, &chosen] { chosen.run = [=] { return report(*options); }; });
 }
 

@@ -7,6 +7,7 @@
 
 #include "glint/hard_cases.hpp"
 #include "glint/lobes.hpp"
+#include "report_cpu_page.hpp"
 #include "report_html.hpp"
 #include "report_paper_page.hpp"
 
@@ -105,9 +106,10 @@ public:
             "<title>Glint: measured results</title>\n<style>";
         out += style;
         out += "</style>\n</head>\n<body>\n";
-        out += introduction() + choosing_section(data_.plots.paper);
+        out += introduction() + choosing_section(data_.plots.paper, data_.cpu);
         out += accuracy_section() + proofs_section() + runs_section() + plots_section();
-        out += paper_sections(data_.plots.paper, data_.pictures, data_.command);
+        out += paper_sections(data_.plots.paper, data_.cpu, data_.pictures, data_.command);
+        out += speed_section(data_.cpu, data_.files);
         out += hard_cases_section() + commands_section();
         return out + "</body>\n</html>\n";
     }

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "cpu_prices.hpp"
 #include "report_plots.hpp"
 
 namespace glint::cli {
@@ -12,6 +13,7 @@ namespace glint::cli {
 struct PageData {
     const std::vector<ResultFile>& files;
     const std::optional<ProofsFile>& proofs;
+    const std::optional<CpuPrices>& cpu;
     std::vector<MeasuredRun> measured;
     const PlotData& plots;
     const Pictures& pictures;

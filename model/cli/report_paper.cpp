@@ -1,9 +1,7 @@
 #include "report_paper.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
-#include <fstream>
 #include <functional>
 #include <numbers>
 
@@ -64,51 +62,6 @@ double log_row(double, double fraction) {
 
 double bps_error(double c, double n) { return std::abs(reference::bps(c, n) - std::pow(c, n)); }
 
-/// Short, so that some repetition of many is left alone by whatever else the machine does.
-TimedForm timed(const Form& form) {
-    using clock = std::chrono::steady_clock;
-    constexpr std::size_t count = 2048;
-    constexpr int repetitions = 200;
-    std::vector<double> c(count);
-    std::vector<double> y(count);
-    const double far = 3.0 * epicentre_angle(shape_n);
-    for (std::size_t i = 0; i < count; ++i) c[i] = std::cos(far * static_cast<double>(i) / count);
-    const auto best = [](auto&& work) {
-        double least = 1e9;
-        for (int i = 0; i < repetitions; ++i) {
-            const auto start = clock::now();
-            work();
-            least = std::min(least, std::chrono::duration<double, std::nano>(clock::now() - start).count());
-        }
-        return least / count;
-    };
-    volatile double kept = 0.0;  // a result that is used cannot be left out
-    TimedForm out{&form, 0.0, 0.0};
-    out.independent = best([&] {
-        form.each(c, shape_n, y);
-        kept = y.back();
-    });
-    out.dependent = best([&] { kept = form.chain(shape_n, static_cast<int>(count)); });
-    return out;
-}
-
-std::string processor_name() {
-    std::ifstream file("/proc/cpuinfo");
-    for (std::string line; std::getline(file, line);) {
-        const std::size_t colon = line.find(": ");
-        if (line.starts_with("model name") && colon != std::string::npos) return line.substr(colon + 2);
-    }
-    return "a processor whose name this system does not tell";
-}
-
-std::string compiler_name() {
-#ifdef __clang__
-    return __VERSION__;
-#else
-    return "g++ " __VERSION__;
-#endif
-}
-
 std::string surface_csv(const Surface& surface, std::string_view heading, double scale) {
     std::string out = fmt::format("{}\n", heading);
     for (std::size_t i = 0; i < surface.value.size(); ++i) {
@@ -164,14 +117,6 @@ PaperData paper_data() {
         paper::first_n, [](double n, double fraction) { return fraction * epicentre_angle(n); },
         [](double c, double n) { return bps_error(c, n) / std::pow(c, n); });
     out.absolute = surface(paper::first_n, log_row, bps_error);
-
-    for (const Form& form : forms()) {
-        const bool registered = std::any_of(out.lobes.begin(), out.lobes.end(),
-                                            [&](const StudiedLobe& l) { return l.lobe->name == form.lobe; });
-        if (registered || form.lobe == "blinn_phong") out.forms.push_back(timed(form));
-    }
-    out.processor = processor_name();
-    out.compiler = compiler_name();
     return out;
 }
 

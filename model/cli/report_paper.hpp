@@ -1,5 +1,5 @@
-// What the report holds against paper 1: errors and shapes of every lobe, the surfaces of f_bps, and what evaluations
-// cost here; with the figures of the paper as CSV.
+// What the report holds against paper 1: errors and shapes of every lobe, the surfaces of f_bps; with the figures of
+// the paper as CSV.
 #pragma once
 
 #include <optional>
@@ -39,22 +39,12 @@ struct Surface {
     double largest = 0.0, largest_n = 0.0, largest_theta = 0.0;
 };
 
-/// Time per evaluation in nanoseconds, the best of several repetitions.
-struct TimedForm {
-    const Form* form = nullptr;
-    double independent = 0.0;  ///< over an array
-    double dependent = 0.0;    ///< each waits for the one before
-};
-
 struct PaperData {
     std::vector<StudiedLobe> lobes;  ///< the paper's five in its order, then the others by name
     std::size_t of_paper = 0;        ///< so many are the paper's
     Surface highlight;               ///< f_bps; rows even in the log of the angle
     Surface delta;                   ///< relative error of f_bps; rows even in the fraction of the epicentre zone
     Surface absolute;                ///< absolute error of f_bps; rows as of `highlight`
-    std::vector<TimedForm> forms;    ///< those of lobes in the registry, and c^n
-    std::string processor;
-    std::string compiler;
 
     const StudiedLobe& lobe(std::string_view name) const;
 };

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "report_cpu_page.hpp"
 #include "report_html.hpp"
 #include "report_paper_plots.hpp"
 
@@ -28,19 +29,6 @@ std::string value_text(double value, Measure measure) {
 
 std::string difference_text(double difference) { return fmt::format("{:+.1f}&nbsp;%", 100.0 * difference); }
 
-/// f_kv as f with an index; nothing for lobes that are not of the paper.
-std::string symbol_html(std::string_view lobe) {
-    for (const paper::TableRow& row : paper::table_1()) {
-        if (row.lobe == lobe) return fmt::format("f<sub>{}</sub>", row.symbol.substr(2));
-    }
-    return {};
-}
-
-std::string lobe_html(std::string_view lobe) {
-    const std::string symbol = symbol_html(lobe);
-    return fmt::format("{}{}", lobe, symbol.empty() ? "" : "<small>" + symbol + "</small>");
-}
-
 std::string code(std::string_view text) { return fmt::format("<code>{}</code>", escaped(text)); }
 
 /// "a, b and c".
@@ -52,13 +40,10 @@ std::string enumeration(const std::vector<std::string>& items) {
     return out;
 }
 
-const TimedForm* timed_form(const PaperData& data, std::string_view lobe) {
-    const auto it = std::find_if(data.forms.begin(), data.forms.end(),
-                                 [&](const TimedForm& timed) { return timed.form->lobe == lobe; });
-    return it == data.forms.end() ? nullptr : &*it;
+const Form& form_of(std::string_view lobe) {
+    const auto all = forms();
+    return *std::find_if(all.begin(), all.end(), [&](const Form& form) { return form.lobe == lobe; });
 }
-
-const TimedForm& of_schlick(const PaperData& data) { return *timed_form(data, "schlick"); }
 
 /// The least n from which on the value never exceeds `bound`, and 0 where there is none.
 int settles(const Study& study, Measure measure, double bound) {
@@ -270,95 +255,11 @@ std::string figures(const PaperData& data, const Pictures& pictures, const std::
     return out;
 }
 
-// ---- Table 1 -----------------------------------------------------------------------------------------------------
-
-std::string operations_text(const Operations& o) {
-    return fmt::format("{} {} {} {} {}", o.multiplications, o.divisions, o.additions, o.increments, o.comparisons);
-}
-
-/// What the code has more or less than the paper prints.
-std::string count_remark(const Operations& printed, const Operations& counted) {
-    std::string out;
-    const auto compare = [&](int p, int c, std::string_view what) {
-        if (p != c) out += fmt::format("<small>{} {:+}</small>", what, c - p);
-    };
-    compare(printed.multiplications, counted.multiplications, "multiplications");
-    compare(printed.divisions, counted.divisions, "divisions");
-    compare(printed.additions, counted.additions, "additions");
-    compare(printed.increments, counted.increments, "increments");
-    compare(printed.comparisons, counted.comparisons, "comparisons");
-    return out;
-}
-
-std::string costs_section(const PaperData& data) {
-    const auto latencies = paper::latencies_of_table_1(30);
-    std::string out =
-        "<h2 id=\"costs\">The paper's Table 1: operations, cycles and time</h2>\n"
-        "<p>Operations are multiplications, divisions, additions, increments (and decrements) and comparisons, in this "
-        "order. Those of the code are counted by running each formula with a number type that counts. A call is one of "
-        "exp, acos or pow from the C++ library, with cycles of its own.</p>\n";
-    if (latencies.size() == 1) {
-        const Operations::Latencies& l = latencies.front();
-        out += fmt::format(
-            "<p>The paper gives sums of the latencies of Zen 4, not the latencies. Among all of 1 to 30 cycles only "
-            "one set adds up in all five rows: {} for a multiplication, {} for a division, {} for an addition, {} for "
-            "an increment, {} for a comparison. Those are latencies of integer instructions, and the formulas are not "
-            "integer. With the latencies of scalar double instructions ({}, {}, {}, {} and {}; LLVM's scheduling model "
-            "of Zen 4, <code>X86ScheduleZnver4.td</code>, classes WriteFMul64, WriteFDiv64, WriteFAdd64, WriteFCmp64; "
-            "an increment is an addition) the sums are in the column after that. A sum of latencies holds for a chain "
-            "without parallel steps; the measured time knows what really waits. Where the code needs other operations "
-            "than the paper prints, the table has the difference.</p>\n",
-            l.multiplication, l.division, l.addition, l.increment, l.comparison, zen4_double.multiplication,
-            zen4_double.division, zen4_double.addition, zen4_double.increment, zen4_double.comparison);
-    } else {
-        out += fmt::format("<p>{} sets of latencies of 1 to 30 cycles add up in all five rows of the paper.</p>\n",
-                           latencies.size());
-    }
-    out += fmt::format(
-        "<p>Time is measured now, at n = {}, by this program ({}) on {}: the best of many short repetitions; what "
-        "depends on n alone is computed once. <em>Independent</em> evaluations run over an array, by vector "
-        "instructions where the compiler finds them. <em>Dependent</em> ones wait for each other: c = 0.99 + "
-        "10<sup>−9</sup> times the result before, one multiplication and one addition more. The ratio is to "
-        "f<sub>s</sub>.</p>\n",
-        shape_n, escaped(data.compiler), escaped(data.processor));
-    std::vector<std::vector<Cell>> rows;
-    const TimedForm& base = of_schlick(data);
-    std::string_view before;
-    for (const TimedForm& timed : data.forms) {
-        const Form& form = *timed.form;
-        const Operations counted = form.count();
-        const auto printed = std::find_if(paper::table_1().begin(), paper::table_1().end(),
-                                          [&](const paper::TableRow& row) { return row.lobe == form.lobe; });
-        const bool in_table = printed != paper::table_1().end() && form.lobe != before;
-        before = form.lobe;
-        std::string counts = operations_text(counted);
-        if (counted.calls > 0)
-            counts += fmt::format("<small>and {} call{}</small>", counted.calls, counted.calls > 1 ? "s" : "");
-        if (in_table) counts += count_remark(printed->operations, counted);
-        const auto ratio = [](double own, double other) { return fmt::format("<small>{:.2f}</small>", own / other); };
-        rows.push_back(
-            {{"lobe", lobe_html(form.lobe) + fmt::format("<small>{}</small>", escaped(form.formula)), Cell::words},
-             {"operations, printed", in_table ? operations_text(printed->operations) : "–"},
-             {"operations, counted", counts},
-             {"cycles, printed", in_table ? fmt::format("{}", printed->cycles) : "–"},
-             {"cycles, same sum",
-              counted.calls == 0 && latencies.size() == 1 ? fmt::format("{}", counted.cycles(latencies.front())) : "–"},
-             {"cycles, Zen 4 double", counted.calls == 0 ? fmt::format("{}", counted.cycles(zen4_double)) : "–"},
-             {"independent, ns", fmt::format("{:.2f}", timed.independent) + ratio(timed.independent, base.independent)},
-             {"dependent, ns", fmt::format("{:.2f}", timed.dependent) + ratio(timed.dependent, base.dependent)}});
-    }
-    out += table_html(rows);
-    return out +
-           "<p>f<sub>8</sub> and f<sub>kub</sub> need a cut to 0, and the paper says that the cuts are counted; its "
-           "rows for them have no comparison, and why f<sub>kub</sub> has a division when its coefficients come from a "
-           "memory is not explained.</p>\n";
-}
-
 // ---- choosing ----------------------------------------------------------------------------------------------------
 
 double largest_below_first(const Study& study) { return study.absolute(1, first - 1).largest; }
 
-std::string lobes_table(const PaperData& data) {
+std::string lobes_table(const PaperData& data, const std::optional<CpuPrices>& cpu) {
     std::vector<const StudiedLobe*> order;
     for (const StudiedLobe& lobe : data.lobes) order.push_back(&lobe);
     std::stable_sort(order.begin(), order.end(), [](const StudiedLobe* a, const StudiedLobe* b) {
@@ -367,25 +268,29 @@ std::string lobes_table(const PaperData& data) {
     std::vector<std::vector<Cell>> rows;
     for (const StudiedLobe* lobe : order) {
         const Summary absolute = lobe->study.absolute(first, last);
-        const TimedForm* timed = timed_form(data, lobe->lobe->name);
         std::string zero = "none";
         if (lobe->zero) {
             zero = fmt::format("{:.1f}° to {:.0f}°", lobe->zero->from, lobe->zero->to);
             if (lobe->zero->drop >= 1e-3) zero += fmt::format("<small>falls from {:.4f}</small>", lobe->zero->drop);
         }
-        const bool counted = timed != nullptr && timed->form->count().calls == 0;
-        rows.push_back(
-            {{"lobe", lobe_html(lobe->lobe->name), Cell::name},
-             {"Δ, n from 8", fmt::format("{:.5f}", absolute.largest) +
-                                 (lobe->exact() ? "" : fmt::format("<small>n = {}</small>", absolute.n))},
-             {"Δ, n below 8", fmt::format("{:.5f}", largest_below_first(lobe->study))},
-             {"δ, n from 8", value_text(lobe->study.delta(first, last).largest, Measure::delta)},
-             {"at c = 1", fmt::format("{:.4f}", lobe->peak)},
-             {"at c = 0", fmt::format("{:.4f}", lobe->floor)},
-             {"0 at", zero},
-             {"cycles, Zen 4 double", counted ? fmt::format("{}", timed->form->count().cycles(zen4_double)) : "–"},
-             {"independent, ns", timed != nullptr ? fmt::format("{:.2f}", timed->independent) : "–"},
-             {"dependent, ns", timed != nullptr ? fmt::format("{:.2f}", timed->dependent) : "–"}});
+        const Operations counted = form_of(lobe->lobe->name).count();
+        std::vector<Cell> row{
+            {"lobe", lobe_html(lobe->lobe->name), Cell::name},
+            {"Δ, n from 8", fmt::format("{:.5f}", absolute.largest) +
+                                (lobe->exact() ? "" : fmt::format("<small>n = {}</small>", absolute.n))},
+            {"Δ, n below 8", fmt::format("{:.5f}", largest_below_first(lobe->study))},
+            {"δ, n from 8", value_text(lobe->study.delta(first, last).largest, Measure::delta)},
+            {"at c = 1", fmt::format("{:.4f}", lobe->peak)},
+            {"at c = 0", fmt::format("{:.4f}", lobe->floor)},
+            {"0 at", zero},
+            {"cycles, Zen 4 double", counted.calls == 0 ? fmt::format("{}", counted.cycles(zen4_double)) : "–"}};
+        if (cpu) {
+            const CpuPrice* price = cpu->find(lobe->lobe->name, "double", "scalar");
+            const bool latency = price != nullptr && price->latency;
+            row.push_back({"latency, ns", latency ? fmt::format("{:.2f}", *price->latency) : "–"});
+            row.push_back({"throughput, ns", price != nullptr ? fmt::format("{:.2f}", price->throughput) : "–"});
+        }
+        rows.push_back(std::move(row));
     }
     return table_html(rows);
 }
@@ -411,11 +316,19 @@ std::string small_n_table(const PaperData& data) {
     return table_html(rows);
 }
 
+/// Than f_bps, one evaluation at a time in double.
+bool no_slower(const CpuPrices& cpu, std::string_view lobe) {
+    const CpuPrice* own = cpu.find(lobe, "double", "scalar");
+    const CpuPrice* bps = cpu.find("bps", "double", "scalar");
+    const double most = 1.0 + paper::tolerance;
+    return own != nullptr && bps != nullptr && own->throughput <= most * bps->throughput && own->latency &&
+           bps->latency && *own->latency <= most * *bps->latency;
+}
+
 /// What is cheaper than f_bps, and what is better, by the numbers of the table.
-std::string verdicts(const PaperData& data) {
+std::string verdicts(const PaperData& data, const std::optional<CpuPrices>& cpu) {
     const StudiedLobe& bps = data.lobe("bps");
-    const TimedForm& bps_time = *timed_form(data, "bps");
-    const int bps_cycles = bps_time.form->count().cycles(zen4_double);
+    const int bps_cycles = form_of("bps").count().cycles(zen4_double);
     const Summary bps_absolute = bps.study.absolute(first, last);
     const Summary bps_delta = bps.study.delta(first, last);
     std::vector<std::string> cheaper, closer, closer_in_zone, both;
@@ -429,12 +342,8 @@ std::string verdicts(const PaperData& data) {
         if (delta < bps_delta.largest) {
             closer_in_zone.push_back(fmt::format("{} {:.1f} times", name, bps_delta.largest / delta));
         }
-        const TimedForm* timed = timed_form(data, lobe.lobe->name);
-        if (timed == nullptr) continue;
-        if (is_closer && timed->dependent <= (1.0 + paper::tolerance) * bps_time.dependent &&
-            timed->independent <= (1.0 + paper::tolerance) * bps_time.independent)
-            both.push_back(name);
-        const Operations counted = timed->form->count();
+        if (is_closer && cpu && no_slower(*cpu, lobe.lobe->name)) both.push_back(name);
+        const Operations counted = form_of(lobe.lobe->name).count();
         if (counted.calls > 0 || counted.cycles(zen4_double) >= bps_cycles) continue;
         cheaper.push_back(fmt::format("{} ({} cycles, Δ {:.1f} times as large)", name, counted.cycles(zen4_double),
                                       absolute / bps_absolute.largest));
@@ -446,15 +355,17 @@ std::string verdicts(const PaperData& data) {
            item(fmt::format("Of a smaller largest Δ than its {:.4f}", bps_absolute.largest), closer) +
            item(fmt::format("Of a smaller largest δ than its {}", value_text(bps_delta.largest, Measure::delta)),
                 closer_in_zone) +
-           item(fmt::format("Of a smaller largest Δ, and in neither time here more than {:g} % slower",
-                            100.0 * paper::tolerance),
-                both) +
+           (cpu ? item(fmt::format("Of a smaller largest Δ, and neither in latency nor in throughput more than {:g} % "
+                                   "slower on this processor",
+                                   100.0 * paper::tolerance),
+                       both)
+                : std::string()) +
            "</ul>\n";
 }
 
 }  // namespace
 
-std::string choosing_section(const PaperData& data) {
+std::string choosing_section(const PaperData& data, const std::optional<CpuPrices>& cpu) {
     const StudiedLobe& bps = data.lobe("bps");
     const Summary delta = bps.study.delta(first, last);
     const Summary absolute = bps.study.absolute(first, last);
@@ -489,15 +400,17 @@ std::string choosing_section(const PaperData& data) {
     out += fmt::format(
         "<p>By their largest Δ. The value at c = 0 and the angles where the lobe is 0 are those at n = {}; where it "
         "falls to 0 in a step of 0.001 or more, the table says from which value. Cycles and times are those of <a "
-        "href=\"#costs\">software</a>; in hardware a division is a pipeline, a multiplication by a constant a few "
+        "href=\"#costs\">software</a> in double; in hardware a division is a pipeline, a multiplication by a constant "
+        "a few "
         "adders, and docs/rtl.md has the clocks.</p>\n",
         shape_n);
-    out += lobes_table(data) + verdicts(data);
+    out += lobes_table(data, cpu) + verdicts(data, cpu);
     out += "<h3>Small exponents</h3>\n";
     return out + small_n_table(data);
 }
 
-std::string paper_sections(const PaperData& data, const Pictures& pictures, const std::string& command) {
+std::string paper_sections(const PaperData& data, const std::optional<CpuPrices>& cpu, const Pictures& pictures,
+                           const std::string& command) {
     std::string out = fmt::format(
         "<h2 id=\"paper\">The paper's claims</h2>\n<p>Zavalniuk, Romanyuk, Satsiuk 2024, which proposed "
         "f<sub>bps</sub>, compares it with four others for n of {} to {}. Measured here at each of these n, over "
@@ -507,7 +420,7 @@ std::string paper_sections(const PaperData& data, const Pictures& pictures, cons
         first, last, 100.0 * paper::tolerance);
     out += claims_table(data) + comparison_list(data);
     out += fmt::format("<p>Computed by {}</p>\n", command_html(command));
-    return out + figures(data, pictures, command) + costs_section(data);
+    return out + figures(data, pictures, command) + costs_section(cpu);
 }
 
 }  // namespace glint::cli

@@ -2,105 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
-#include <sstream>
-#include <string_view>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "glint/error.hpp"
 #include "glint/lobes.hpp"
+#include "json_node.hpp"
 
 namespace glint::cli {
 namespace {
 
-using Json = nlohmann::json;
-
-/// A JSON object of a file, which knows its name for errors; the name of the outermost object is empty.
-class Node {
-public:
-    Node(const Json& json, const std::string& file, std::string name = {})
-        : json_(json), file_(file), name_(std::move(name)) {
-        if (!json_.is_object()) throw Error(file_ + (name_.empty() ? "" : ": " + name_) + " is not a JSON object");
-    }
-
-    bool has(const char* key) const { return json_.contains(key) && !json_[key].is_null(); }
-
-    Node node(const char* key) const { return {value(key), file_, path(key)}; }
-
-    std::vector<Node> nodes(const char* key) const {
-        const Json& list = value(key);
-        if (!list.is_array()) fail(key, "a list");
-        std::vector<Node> out;
-        for (std::size_t i = 0; i < list.size(); ++i)
-            out.emplace_back(list[i], file_, fmt::format("{}[{}]", path(key), i));
-        return out;
-    }
-
-    std::string text(const char* key) const {
-        if (!value(key).is_string()) fail(key, "a text");
-        return value(key).get<std::string>();
-    }
-
-    /// A name goes into the scripts of the plots as it is, so it may hold no quotes and no line breaks.
-    std::string word(const char* key) const {
-        const std::string out = text(key);
-        const bool legal = !out.empty() && std::all_of(out.begin(), out.end(), [](char c) {
-            return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-';
-        });
-        if (!legal) fail(key, "a name of letters, digits, '_' and '-'");
-        return out;
-    }
-
-    std::vector<std::string> texts(const char* key) const {
-        const Json& list = value(key);
-        const auto is_text = [](const Json& item) { return item.is_string(); };
-        if (!list.is_array() || !std::all_of(list.begin(), list.end(), is_text)) fail(key, "a list of texts");
-        return list.get<std::vector<std::string>>();
-    }
-
-    bool boolean(const char* key) const {
-        if (!value(key).is_boolean()) fail(key, "true or false");
-        return value(key).get<bool>();
-    }
-
-    /// At least 0.
-    double number(const char* key) const {
-        if (!value(key).is_number() || !(value(key).get<double>() >= 0.0)) fail(key, "a number, 0 or more");
-        return value(key).get<double>();
-    }
-
-    std::uint64_t count(const char* key, std::uint64_t low, std::uint64_t high = UINT64_MAX) const {
-        const bool whole = value(key).is_number_unsigned();
-        if (!whole || value(key).get<std::uint64_t>() < low || value(key).get<std::uint64_t>() > high) {
-            fail(key, high == UINT64_MAX ? fmt::format("a whole number, {} or more", low)
-                                         : fmt::format("a whole number, {} to {}", low, high));
-        }
-        return value(key).get<std::uint64_t>();
-    }
-
-    int integer(const char* key, int low, int high) const {
-        return static_cast<int>(count(key, static_cast<std::uint64_t>(low), static_cast<std::uint64_t>(high)));
-    }
-
-    [[noreturn]] void fail(const char* key, std::string_view legal) const {
-        std::string shown = value(key).dump(-1, ' ', true);
-        if (shown.size() > 40) shown = shown.substr(0, 40) + "...";
-        throw Error(fmt::format("{}: {} {} is not legal: {}", file_, path(key), shown, legal));
-    }
-
-private:
-    std::string path(const char* key) const { return name_.empty() ? key : fmt::format("{}.{}", name_, key); }
-
-    const Json& value(const char* key) const {
-        if (!json_.contains(key)) throw Error(fmt::format("{}: {} is missing", file_, path(key)));
-        return json_[key];
-    }
-
-    const Json& json_;
-    const std::string& file_;
-    std::string name_;
-};
+using Node = JsonNode;
 
 Worst read_worst(const Node& node, const char* value, int F) {
     Worst out;
@@ -146,6 +59,7 @@ RunResult read_run(const Node& node) {
     out.profile = node.word("profile");
     out.F = node.integer("F", 8, 30);
     out.O = node.integer("O", 4, 28);
+    if (node.has("architecture")) out.architecture = node.text("architecture");
     out.unit = node.word("unit");
     out.test = node.word("test");
     out.exhaustive = node.boolean("exhaustive");
@@ -188,20 +102,11 @@ Proof read_proof(const Node& node) {
     return out;
 }
 
-Json read_json(const std::string& path, const std::string& name) {
-    std::ifstream stream(path, std::ios::binary);
-    std::ostringstream text;
-    if (!stream || !(text << stream.rdbuf())) throw Error(name + " cannot be read");
-    Json json = Json::parse(text.str(), nullptr, false);
-    if (json.is_discarded()) throw Error(name + " is not JSON");
-    return json;
-}
-
 }  // namespace
 
 ProofsFile read_proofs(const std::string& path) {
     const std::string name = fmt::format("proofs file '{}'", path);
-    const Json json = read_json(path, name);
+    const nlohmann::json json = read_json(path, name);
     const Node top(json, name);
     ProofsFile out;
     out.command = top.text("command");
@@ -212,7 +117,7 @@ ProofsFile read_proofs(const std::string& path) {
 
 ResultFile read_results(const std::string& path) {
     const std::string name = fmt::format("results file '{}'", path);
-    const Json json = read_json(path, name);
+    const nlohmann::json json = read_json(path, name);
     const Node top(json, name);
     ResultFile out;
     out.path = path;

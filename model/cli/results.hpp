@@ -28,8 +28,9 @@ struct RunResult {
     std::string profile;
     int F = 0;
     int O = 0;
-    std::string unit;  ///< "model", "core" or "axis"
-    std::string test;  ///< "sweep", "stream", "illegal" or "reset"
+    std::string architecture;  ///< of a unit of hardware; empty where the results do not name it
+    std::string unit;          ///< "model", "core" or "axis"
+    std::string test;          ///< "sweep", "stream", "illegal" or "reset"
     bool exhaustive = false;
     std::uint64_t inputs = 0;
     double seconds = 0.0;

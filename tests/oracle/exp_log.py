@@ -59,22 +59,23 @@ class Pieces:
 
 
 class Log2:
-    def __init__(self, F, T, L):
-        self.F, self.T, self.L = F, T, L
+    def __init__(self, F, T, L, cut=0):
+        self.F, self.T, self.L, self.cut = F, T, L, cut
         self.pieces = None
 
     def refusal(self):
-        F, T, L = self.F, self.T, self.L
+        F, T, L = self.F - self.cut, self.T, self.L
         return in_range(T=(T, 4, min(10, F - 2)), L=(L, max(F + 1, 2 * T + 1), 38))
 
     def __call__(self, C):
         """z, l, u."""
         if C == 0:
             return self.F + 1, 0, 31 << self.L
-        self.pieces = self.pieces or Pieces(lambda x: log2(1 + x), self.T, self.F - 1 - self.T, self.L)
+        R = self.F - self.cut - 1 - self.T
+        self.pieces = self.pieces or Pieces(lambda x: log2(1 + x), self.T, R, self.L)
         z = self.F + 1 - C.bit_length()
-        M = ((C << z) - (1 << self.F)) // 2
-        l = self.pieces.value(M >> self.pieces.R, M % (1 << self.pieces.R))
+        M = (C << z) - (1 << self.F) >> 1 + self.cut
+        l = self.pieces.value(M >> R, M % (1 << R))
         return z, l, (z << self.L) - l
 
 

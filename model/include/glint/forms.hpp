@@ -1,4 +1,4 @@
-// What an evaluation of a lobe costs: the formulas as code, to be counted and timed.
+// What an evaluation of a lobe costs: the formulas as code, counted.
 #pragma once
 
 #include <span>
@@ -28,15 +28,12 @@ inline constexpr Operations::Latencies zen4_double{3, 13, 3, 3, 1};
 /// A formula as code, in the form that the paper counts: run with a number type that counts what is done to it, and
 /// with double.
 struct Form {
-    std::string_view lobe;     ///< in the registry, now or one day
+    std::string_view name;     ///< of the formula: the lobe's, but where a lobe has two
+    std::string_view lobe;     ///< in the registry
     std::string_view formula;  ///< as evaluated
     int least_n;               ///< the formula is the lobe from this n on
     Operations (*count)();
     double (*value)(double c, double n);
-    /// Independent evaluations at one n; the spans are of one length.
-    void (*each)(std::span<const double> c, double n, std::span<double> y);
-    /// `steps` evaluations at one n of which each waits for the one before: c = 0.99 + 1e-9 y. The last result.
-    double (*chain)(double n, int steps);
 };
 
 /// f_s, f_8, f_kv, f_kub as printed and by Horner's rule, f_bps, then lobes of our own and c^n itself. What f_kub needs
