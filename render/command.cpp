@@ -302,9 +302,7 @@ void add_render(CLI::App& app, Chosen& chosen) {
     command->add_option("--size", options->size, "Width and height in pixels")->capture_default_str();
     add_integer(*command, "--samples", options->samples, 1, 16, "Samples a pixel: 1, 4, 9 or 16");
     command->add_flag("--all-effects", options->all_effects, "Every unit evaluates every fragment, needed or not");
-    command->add_flag("--compare", options->compare,
-                      "All engines: NAME_float, _rtl, _difference.png; exit 1 unless "
-                      "fixed = rtl");
+    command->add_flag("--compare", options->compare, "All engines, and NAME_difference.png; exit 1 unless fixed = rtl");
     command->add_option("--against", options->against, "With --compare: the lobe of the float picture");
     command->add_option("--json", options->json, "Write plan, times and differences");
     add_integer(*command, "--threads", options->threads, 0, most_threads, "Threads; 0: one a core");

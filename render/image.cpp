@@ -112,9 +112,10 @@ double largest_channel(const Vec3& a, const Vec3& b) {
     return std::max({std::abs(d.x), std::abs(d.y), std::abs(d.z)});
 }
 
-/// 0: black, then red, yellow, and white for 1; even steps of brightness as shown, hence squared.
+/// Black for 0 alone, then ten steps over red and yellow to white for 1, even as shown. (Few colours make small files.)
 Vec3 heat(double x) {
-    const auto channel = [&](double from) { return std::pow(std::clamp(3.0 * x - from, 0.0, 1.0), 2.2); };
+    const double step = std::ceil(10.0 * x) / 10.0;
+    const auto channel = [&](double from) { return std::pow(std::clamp(3.0 * step - from, 0.0, 1.0), 2.2); };
     return {channel(0.0), channel(1.0), channel(2.0)};
 }
 
@@ -242,7 +243,7 @@ Picture difference(const Picture& a, const Picture& b, double unit_value, const 
     write(out, gap, top, scale, left);
     write(out, end + gap, top, scale, right);
     for (int x = begin; x < end; ++x) {
-        fill(out, {x, top - scale, x + 1, top + 8 * scale}, heat(static_cast<double>(x - begin) / (end - begin)));
+        fill(out, {x, top - scale, x + 1, top + 8 * scale}, heat((x - begin + 1.0) / (end - begin)));
     }
     return out;
 }

@@ -39,9 +39,9 @@ struct Distance {
 /// less than 11 pixels wide or high are one window of equal weights.
 Distance compare(const Picture& picture, const Picture& reference);
 
-/// The largest channel of |a - b| in linear light as a colour, from black for 0 over red and yellow to white for the
-/// largest difference, above a bar that says in numbers what the colours mean; `unit` follows the number: the largest
-/// difference is shown as `largest / unit_value`.
+/// The largest channel of |a - b| in linear light as a colour, from black for 0 in ten steps over red and yellow to
+/// white for the largest difference, above a bar that says in numbers what the colours mean; `unit` follows the number:
+/// the largest difference is shown as `largest / unit_value`.
 Picture difference(const Picture& a, const Picture& b, double unit_value, const std::string& unit);
 
 }  // namespace glint::render

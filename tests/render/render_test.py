@@ -3,7 +3,7 @@
 
     render_test.py --glint build/glint [--rtl] [--models FOLDER] [Scenes Engines ...]
 
---rtl: the build has the simulated units at p12. Exit status: 0 if every check held.
+--rtl: the build has all simulated units of effects at p12. Exit status: 0 if every check held.
 """
 
 import argparse
@@ -21,7 +21,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "cli"))
 from case import Case, OPTIONS, ROOT  # noqa: E402
 
 SCENES = ROOT / "scenes"
-SHIPPED = ("still_life", "sphere_grid", "matte", "many_lights", "figure")
+SHIPPED = ("still_life", "sphere_grid", "matte", "many_lights", "figure", "models")
 
 
 def decode_png(data):
@@ -126,7 +126,7 @@ class Scenes(RenderCase):
         self.equal(found["plan"]["materials"][0]["effects"], ["lambert", "blinn_phong"])
         self.true(found["fragments"] > 60 * 40 / 8, "the triangle fills the picture")
         middle = self.picture("a.png")[2][25][30]
-        self.true(middle[0] > 2 * middle[1], f"{middle} is red")
+        self.true(middle[0] > 1.5 * middle[1], f"{middle} is red")
 
     def test_change_of_a_material(self):
         self.write("a.mtl", "newmtl red\nKd 0.8 0 0\nKs 0.5 0.5 0.5\nNs 20\n")
