@@ -148,9 +148,12 @@ std::string complete_mtl(const std::string& text, const std::string& file) {
     return joined(std::move(lines));
 }
 
+/// tinyobjloader has single precision: the number as it stood in the file, if it had no more digits than that.
+double decimal(tinyobj::real_t x) { return std::stod(fmt::format("{}", x)); }
+
 Vec3 colour(const tinyobj::real_t (&k)[3], const char* key, const std::string& material,
             std::vector<std::string>& warnings) {
-    const Vec3 given{k[0], k[1], k[2]};
+    const Vec3 given{decimal(k[0]), decimal(k[1]), decimal(k[2])};
     const auto cut = [](double x) { return std::clamp(x, 0.0, 1.0); };
     const Vec3 out{cut(given.x), cut(given.y), cut(given.z)};
     if (out != given) {
@@ -173,16 +176,16 @@ Material translate(const tinyobj::material_t& mtl, std::vector<std::string>& war
         out.diffuse = diffuse;
         if (mtl.illum >= 2) out.specular = specular;
     }
-    out.exponent = out.specular == Vec3{} ? 1 : exponent(mtl.shininess, out.name, warnings);
+    out.exponent = out.specular == Vec3{} ? 1 : exponent(decimal(mtl.shininess), out.name, warnings);
     const auto within = [&](double x, const char* key, double low, double high) {
         if (x < low || x > high) {
             throw Error(fmt::format("material '{}': {} {:g} is not legal: {:g} to {:g}", out.name, key, x, low, high));
         }
         return x;
     };
-    out.roughness = within(mtl.roughness, "Pr", 0.0, 1.0);
-    out.anisotropy = within(mtl.anisotropy, "aniso", 0.0, 0.99f);
-    out.index = std::max(1.0, within(mtl.ior, "Ni", 0.0, 10.0));  // files in the wild have 0 for "not given"
+    out.roughness = within(decimal(mtl.roughness), "Pr", 0.0, 1.0);
+    out.anisotropy = within(decimal(mtl.anisotropy), "aniso", 0.0, 0.99);
+    out.index = std::max(1.0, within(decimal(mtl.ior), "Ni", 0.0, 10.0));  // files in the wild have 0 for "not given"
     if (mtl.illum >= 3) {
         warnings.push_back(
             fmt::format("material '{}': illum {} also asks for reflection, refraction or shadows, which "

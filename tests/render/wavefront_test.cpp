@@ -175,6 +175,27 @@ TEST_CASE("mtl: roughness, anisotropy, index") {
     CHECK(holds(refusal("Ni 11"), "Ni 11 is not legal: 0 to 10"));
 }
 
+TEST_CASE("mtl: what a model cannot take counts as the nearest that it can, with a warning") {
+    struct Case {
+        std::string lines;
+        std::size_t warnings;
+    };
+    for (const Case& c : {Case{"Pr 0.01\nbrdf ward\n", 1},
+                          {"Pr 0.02\nbrdf ward\n", 0},
+                          {"Pr 0.04\nbrdf cook_torrance\n", 1},
+                          {"Pr 0.05\nNi 4\nbrdf cook_torrance_modified\n", 0},
+                          {"Pr 0\nNi 5\nbrdf cook_torrance\n", 2},
+                          {"Pr 0\nNi 9\nbrdf oren_nayar phong\n", 0},
+                          {"Pr 1\naniso 0.99\nbrdf ward\n", 0}}) {
+        INFO(c.lines);
+        const Material material = mtl(colours + c.lines).material;
+        std::vector<std::string> warnings;
+        warn_of_limits({material}, warnings);
+        CHECK(warnings.size() == c.warnings);
+        for (const double x : find_model(material.specular_model)->parameters(material)) CHECK(std::isfinite(x));
+    }
+}
+
 TEST_CASE("mtl: what is no finite number is refused with its line") {
     for (const std::string number : {"nan", "inf", "-inf", "1e400", "abc", "1,5", ""}) {
         INFO("'" << number << "'");
