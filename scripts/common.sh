@@ -37,6 +37,10 @@ install_missing() {
     need nlohmann-json3-dev file_there '/usr/include/nlohmann/json.hpp'
     need libglpk-dev file_there '/usr/include/glpk.h'
     need zlib1g-dev file_there '/usr/include/zlib.h'
+    need libembree-dev file_there '/usr/include/embree4/rtcore.h' '/usr/include/embree3/rtcore.h'
+    need libtinyobjloader-dev file_there '/usr/include/tiny_obj_loader.h'
+    need libpng-dev file_there '/usr/include/png.h'
+    need libstb-dev file_there '/usr/include/stb/stb_easy_font.h'
     need gappa command_there gappa
     need python3 command_there python3
     if [ "$1" = test ]; then
@@ -49,6 +53,7 @@ install_missing() {
         need z3 command_there z3
         need sollya command_there sollya
         need clang-format command_there clang-format
+        need assimp-testmodels file_there '/usr/share/assimp/models/OBJ/spider.obj'
         # 32-bit headers for the check of the HLS kernel's object file; there is no such package but on x86-64.
         [ "$(uname -m)" != x86_64 ] || need g++-multilib file_there '/usr/lib/gcc/x86_64-linux-gnu/*/32/libgcc.a'
     fi

@@ -249,7 +249,8 @@ void run_resets(const GoldenModel& model, const UnitKind& kind, const Request& r
 
 /// Runs the failed burst again in the unit that can draw, and says what it showed.
 std::string draw(const UnitKind& kind, int F, const Request& request, const Failure& failure) {
-    if (kind.traced == nullptr) return fmt::format("no waveform: this build has none of {}\n", kind.architecture);
+    if (kind.traced == nullptr)
+        return "no waveform: this build has none of this unit (the CMake list GLINT_WAVEFORMS says)\n";
     const std::unique_ptr<Unit> unit = kind.traced(F, request.seed);
     const Schedule schedule{request.stall_probability, failure.stimulus.stall_seed};
     constexpr std::uint64_t before = 64;

@@ -341,6 +341,8 @@ Plan reset_plan(const EffectModel& model, std::uint64_t count) {
 
 /// Runs the failed burst again in the unit that can draw, and says what it showed.
 std::string draw(const EffectUnitKind& kind, const EffectRequest& request, const Failure& failure) {
+    if (kind.traced == nullptr)
+        return "no waveform: this build has none of this unit (the CMake list GLINT_WAVEFORMS says)\n";
     const auto unit = kind.traced(request.seed);
     const Schedule schedule{request.stall_probability, failure.stimulus.stall_seed};
     const auto inputs = failure.stimulus.pointers();

@@ -16,7 +16,7 @@ struct EffectUnitKind {
     std::string_view profile;  ///< its name, e.g. "p12"
     int mask;  ///< MASK of shade, the bits of its port `effects` that are built; -1: all, as of every other effect
     std::unique_ptr<EffectUnit> (*fast)(std::uint64_t seed);
-    std::unique_ptr<EffectUnit> (*traced)(std::uint64_t seed);  ///< the same Verilog, built for waveforms
+    std::unique_ptr<EffectUnit> (*traced)(std::uint64_t seed);  ///< the same Verilog, built for waveforms; may be null
 };
 
 /// Written by CMake from effects.def, GLINT_EFFECTS, GLINT_EFFECT_LOBES and GLINT_PROFILES: every effect whose Verilog

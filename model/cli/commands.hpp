@@ -23,5 +23,6 @@ void add_cases(CLI::App& app, Chosen& chosen);
 void add_report(CLI::App& app, Chosen& chosen);
 void add_cost(CLI::App& app, Chosen& chosen);
 void add_choose(CLI::App& app, Chosen& chosen);
+void add_render(CLI::App& app, Chosen& chosen);
 
 }  // namespace glint::cli

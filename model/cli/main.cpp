@@ -16,5 +16,6 @@ int main(int argc, char** argv) {
     glint::cli::add_report(app, chosen);
     glint::cli::add_cost(app, chosen);
     glint::cli::add_choose(app, chosen);
+    glint::cli::add_render(app, chosen);
     return glint::cli::run(app, argc, argv, [&] { return chosen.run(); });
 }

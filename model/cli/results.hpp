@@ -31,6 +31,7 @@ struct RunResult {
     int O = 0;
     std::string unit;          ///< "model", "core" or "axis"
     std::string architecture;  ///< of a unit of Verilog; empty where the results do not name it
+    std::string test;          ///< "sweep", "stream", "illegal" or "reset"
     bool exhaustive = false;
     std::uint64_t inputs = 0;
     double seconds = 0.0;

@@ -86,3 +86,25 @@ TEST_CASE("the committed generated files of effects are those of the model, and 
     }
     CHECK(current.size() >= 3 * effects().size());
 }
+
+TEST_CASE("the wrapper of an effect with another lobe is that with bps, but for the name") {
+    // CMake makes use of it (glint_generated_effect).
+    const auto replaced = [](std::string text, const std::string& from, const std::string& to) {
+        for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size())) {
+            text.replace(at, from.size(), to);
+        }
+        return text;
+    };
+    for (const char* effect : {"phong", "blinn_phong"}) {
+        for (const Lobe& lobe : lobes()) {
+            const std::string name(lobe.name);
+            CAPTURE(effect, name);
+            const auto files = find_effect(effect).emit(parse_profile("p12"), lobe.name);
+            const auto of_bps = find_effect(effect).emit(parse_profile("p12"), "bps");
+            REQUIRE(files.size() == 1);
+            REQUIRE(of_bps.size() == 1);
+            const std::string renamed = replaced(of_bps[0].text, "_bps_", "_" + name + "_");
+            CHECK(files[0].text == replaced(renamed, "--lobe bps ", "--lobe " + name + " "));
+        }
+    }
+}

@@ -1,0 +1,313 @@
+// `glint render`: a scene through the effects that it calls for, and how far the engines are apart.
+#include <chrono>
+#include <cmath>
+#include <filesystem>
+#include <optional>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "commands.hpp"
+#include "common.hpp"
+#include "engine.hpp"
+#include "glint/error.hpp"
+#include "rtl_unit.hpp"
+
+namespace glint::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using namespace render;
+
+struct Options {
+    std::string scene;
+    std::string engine = "fixed";
+    std::string lobe = "bps";
+    std::string profile = "p12";
+    std::string output;
+    std::string size = "960x540";
+    int samples = 1;
+    bool all_effects = false;
+    bool compare = false;
+    std::string against;
+    std::string json;
+    unsigned threads = 0;
+};
+
+struct Size {
+    int width = 0;
+    int height = 0;
+};
+
+Size parse_size(const std::string& text) {
+    const std::size_t cross = text.find('x');
+    if (cross == std::string::npos) throw Error(fmt::format("--size '{}' is not legal: WIDTHxHEIGHT", text));
+    constexpr int most = 8192;
+    return {static_cast<int>(parse_integer(text.substr(0, cross), "--size: width", 1, most)),
+            static_cast<int>(parse_integer(text.substr(cross + 1), "--size: height", 1, most))};
+}
+
+int samples_a_side(int samples) {
+    for (int side = 1; side <= 4; ++side) {
+        if (side * side == samples) return side;
+    }
+    throw Error(fmt::format("--samples '{}' is not legal: 1, 4, 9 or 16", samples));
+}
+
+std::string unit_name(const UnitPlan& unit) {
+    return unit.lobe.empty() ? unit.effect : fmt::format("{} ({})", unit.effect, unit.lobe);
+}
+
+/// 1234567 as "1 234 567".
+std::string grouped(std::uint64_t number) {
+    std::string out = std::to_string(number);
+    for (std::size_t i = out.size(); i > 3; i -= 3) out.insert(i - 3, 1, ' ');
+    return out;
+}
+
+/// The effects that a material calls for, as its line of the plan.
+std::string effects_of(const MaterialPlan& material, const Plan& plan, const Scene& scene) {
+    std::vector<std::string> names;
+    if (material.ambient_shown) names.emplace_back("ambient");
+    for (const Term& term : material.terms) {
+        if (term.shown) names.push_back(unit_name(plan.units[term.unit]));
+    }
+    if (scene.materials[material.material].emission != Vec3{}) names.emplace_back("colour alone");
+    return names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", "));
+}
+
+std::string plan_table(const Plan& plan, const Scene& scene) {
+    std::vector<std::vector<std::string>> materials{{"material", "fragments", "effects"}};
+    for (const MaterialPlan& material : plan.materials) {
+        // A name may hold anything, and the table aligns by the first character.
+        materials.push_back({"'" + scene.materials[material.material].name + "'", grouped(material.fragments),
+                             effects_of(material, plan, scene)});
+    }
+    std::vector<std::vector<std::string>> units{{"unit", "evaluations"}};
+    for (const UnitPlan& unit : plan.units) units.push_back({unit_name(unit), grouped(unit.evaluations)});
+    std::string out = table(materials) + "\n" + table(units);
+    if (!plan.not_needed.empty()) out += fmt::format("not needed: {}\n", fmt::join(plan.not_needed, ", "));
+    return out;
+}
+
+Json plan_json(const Plan& plan, const Scene& scene) {
+    Json out{{"materials", Json::array()}, {"units", Json::array()}, {"not_needed", plan.not_needed}};
+    for (const MaterialPlan& material : plan.materials) {
+        Json effects = Json::array();
+        if (material.ambient_shown) effects.push_back("ambient");
+        for (const Term& term : material.terms) {
+            if (term.shown) effects.push_back(plan.units[term.unit].effect);
+        }
+        out["materials"].push_back({{"name", scene.materials[material.material].name},
+                                    {"fragments", material.fragments},
+                                    {"effects", effects}});
+    }
+    for (const UnitPlan& unit : plan.units) {
+        Json entry{{"effect", unit.effect}};
+        if (!unit.lobe.empty()) entry["lobe"] = unit.lobe;
+        entry["evaluations"] = unit.evaluations;
+        out["units"].push_back(entry);
+    }
+    return out;
+}
+
+/// One engine's picture, and what it took.
+struct Result {
+    std::string engine;
+    Picture picture;
+    std::uint64_t corrected = 0;
+    std::uint64_t evaluations = 0;
+    std::uint64_t clocks = 0;
+    double seconds = 0.0;
+};
+
+/// What is rendered, once for all engines.
+struct Job {
+    Scene scene;
+    std::vector<Fragment> fragments;
+    Size size;
+    int side = 1;
+    Profile profile;
+    unsigned threads = 0;
+
+    Result run(const std::string& engine, const Plan& plan) const {
+        MakeUnit make;
+        if (engine == "fixed") make = golden_unit;
+        if (engine == "rtl") make = rtl_unit;
+        Shading shading = shade(scene, plan, fragments, size.width * side, size.height * side, profile, make, threads,
+                                progress_bar("shading, " + engine));
+        Result out{engine, finish(shading.samples, side), shading.corrected, 0, shading.clocks, shading.seconds};
+        for (const std::uint64_t count : shading.evaluations) out.evaluations += count;
+        return out;
+    }
+};
+
+Json result_json(const Result& result) {
+    Json out{{"engine", result.engine},
+             {"shading_seconds", result.seconds},
+             {"evaluations", result.evaluations},
+             {"corrected", result.corrected}};
+    if (result.clocks != 0) out["clocks"] = result.clocks;
+    return out;
+}
+
+/// Pixels in which two pictures differ, in any bit of a channel.
+std::uint64_t unequal_pixels(const Picture& a, const Picture& b) {
+    std::uint64_t out = 0;
+    for (std::size_t i = 0; i < a.pixels.size(); ++i) out += a.pixels[i] == b.pixels[i] ? 0 : 1;
+    return out;
+}
+
+/// "out.png", "float" -> "out_float.png".
+std::filesystem::path beside(const std::filesystem::path& output, const std::string& part) {
+    std::filesystem::path out = output;
+    out.replace_filename(output.stem().string() + "_" + part + output.extension().string());
+    return out;
+}
+
+int run_render(const Options& options, const std::string& command) {
+    if (options.engine != "float" && options.engine != "fixed" && options.engine != "rtl") {
+        throw Error(fmt::format("--engine '{}' is not legal: float, fixed, rtl", options.engine));
+    }
+    if (std::filesystem::path(options.output).extension() != ".png") {
+        throw Error(fmt::format("-o '{}' is not legal: a file NAME.png", options.output));
+    }
+    if (!options.against.empty() && !options.compare) throw Error("--against is not legal without --compare");
+    parse_lobe(options.lobe);
+    if (!options.against.empty()) parse_lobe(options.against);
+    check_writable(options.output);
+    check_writable(options.json);
+
+    Job job;
+    job.profile = parse_profile(options.profile);
+    job.size = parse_size(options.size);
+    job.side = samples_a_side(options.samples);
+    job.threads = options.threads;
+    constexpr std::int64_t most_rays = std::int64_t{1} << 26;
+    const std::int64_t rays = std::int64_t{job.size.width} * job.size.height * options.samples;
+    if (rays > most_rays) throw Error(fmt::format("{} rays are not legal: at most {}", rays, most_rays));
+
+    job.scene = load_scene(options.scene, static_cast<double>(job.size.width) / job.size.height);
+    for (const std::string& warning : job.scene.warnings) fmt::print(stderr, "glint: warning: {}\n", warning);
+    const auto start = std::chrono::steady_clock::now();
+    job.fragments =
+        cast_rays(job.scene, job.size.width * job.side, job.size.height * job.side, job.threads, progress_bar("rays"));
+    const double ray_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    const Plan plan = make_plan(job.scene, job.fragments, options.lobe, options.all_effects);
+    const std::string obstacle = rtl_obstacle(plan, job.profile);
+    if (options.engine == "rtl" && !obstacle.empty()) throw Error(obstacle);
+
+    fmt::print("{}: {} triangles, {} lights; {} x {} pixels, {} rays, {} fragments ({}, {:.2f} s)\n\n{}\n",
+               options.scene, grouped(job.scene.triangles.size()), job.scene.lights.size(), job.size.width,
+               job.size.height, grouped(static_cast<std::uint64_t>(rays)), grouped(job.fragments.size()), ray_caster(),
+               ray_seconds, plan_table(plan, job.scene));
+    std::fflush(stdout);
+    std::vector<std::string> engines{options.engine};
+    if (options.compare) {
+        engines = {"float", "fixed"};
+        if (obstacle.empty()) engines.emplace_back("rtl");
+    }
+    std::vector<Result> results;
+    for (const std::string& engine : engines) {
+        const bool other = engine == "float" && !options.against.empty();
+        results.push_back(
+            job.run(engine, other ? make_plan(job.scene, job.fragments, options.against, options.all_effects) : plan));
+    }
+    std::vector<std::vector<std::string>> rows{{"engine", "shading, s", "million evaluations/s", "corrected inputs"}};
+    for (const Result& result : results) {
+        rows.push_back({result.engine, fmt::format("{:.3f}", result.seconds),
+                        fmt::format("{:.1f}", static_cast<double>(result.evaluations) / 1e6 / result.seconds),
+                        grouped(result.corrected)});
+    }
+    fmt::print("{}", table(rows));
+
+    Json json{{"tool", "glint render"},
+              {"command", command},
+              {"scene", options.scene},
+              {"lobe", options.lobe},
+              {"profile", job.profile.name},
+              {"width", job.size.width},
+              {"height", job.size.height},
+              {"samples", options.samples},
+              {"triangles", job.scene.triangles.size()},
+              {"lights", job.scene.lights.size()},
+              {"fragments", job.fragments.size()},
+              {"ray_caster", ray_caster()},
+              {"ray_seconds", ray_seconds},
+              {"plan", plan_json(plan, job.scene)},
+              {"engines", Json::array()}};
+    for (const Result& result : results) json["engines"].push_back(result_json(result));
+
+    bool failed = false;
+    std::vector<std::pair<std::filesystem::path, std::string>> files;
+    if (!options.compare) {
+        files.emplace_back(options.output, png(results.front().picture));
+    } else {
+        const Picture& real = results[0].picture;
+        const Result& last = results.back();
+        const Distance distance = compare(last.picture, real);
+        const double ulp = std::ldexp(1.0, -job.profile.O);
+        fmt::print("\n");
+        if (last.engine == "rtl") {
+            const std::uint64_t unequal = unequal_pixels(results[1].picture, last.picture);
+            fmt::print("rtl against fixed: {} of {} pixels differ\n", unequal, real.pixels.size());
+            json["rtl_against_fixed"] = {{"pixels", real.pixels.size()}, {"unequal", unequal}};
+            failed = unequal != 0;
+        } else {
+            fmt::print("rtl against fixed: not compared; {}\n", obstacle);
+        }
+        fmt::print(
+            "{} against float{}: PSNR {:.2f} dB, SSIM {:.5f}, largest difference {} of 255 and {:.2f} ulp of "
+            "2^-{} in linear light, {} pixels differ as shown\n",
+            last.engine, options.against.empty() ? "" : " with " + options.against, distance.psnr, distance.ssim,
+            distance.largest, distance.largest_linear / ulp, job.profile.O, grouped(distance.unequal));
+        json["against_float"] = {{"engine", last.engine},
+                                 {"lobe", options.against.empty() ? options.lobe : options.against},
+                                 {"psnr_db", std::isinf(distance.psnr) ? Json() : Json(distance.psnr)},
+                                 {"ssim", distance.ssim},
+                                 {"largest", distance.largest},
+                                 {"largest_linear", distance.largest_linear},
+                                 {"largest_linear_ulp", distance.largest_linear / ulp},
+                                 {"unequal_pixels", distance.unequal}};
+        if (job.fragments.empty()) {
+            fmt::print("FAILED: nothing was shaded, so nothing was compared\n");
+            failed = true;
+        }
+        files.emplace_back(beside(options.output, "float"), png(real));
+        files.emplace_back(beside(options.output, last.engine), png(last.picture));
+        const bool in_ulp = options.against.empty();
+        files.emplace_back(beside(options.output, "difference"),
+                           png(difference(last.picture, real, in_ulp ? ulp : 1.0, in_ulp ? "ulp" : "of 1")));
+    }
+    for (const auto& [file, bytes] : files) {
+        write_file(file, bytes);
+        fmt::print("written: {}\n", file.string());
+    }
+    if (!options.json.empty()) write_file(options.json, json.dump(1) + "\n");
+    return failed ? check_failed : success;
+}
+
+}  // namespace
+
+void add_render(CLI::App& app, Chosen& chosen) {
+    auto options = std::make_shared<Options>();
+    CLI::App* command = app.add_subcommand("render", "A picture of a scene through the effects it calls for");
+    command->add_option("scene", options->scene, "A scene NAME.json or a model NAME.obj")->required();
+    command->add_option("-o,--output", options->output, "The picture, NAME.png")->required();
+    command->add_option("--engine", options->engine, "float: real functions; fixed: golden models; rtl: the Verilog")
+        ->capture_default_str();
+    command->add_option("--lobe", options->lobe, "Lobe of highlights, where the scene names none")
+        ->capture_default_str();
+    command->add_option("--profile", options->profile, "Profile: p8, p12, p16 or F,..,O")->capture_default_str();
+    command->add_option("--size", options->size, "Width and height in pixels")->capture_default_str();
+    add_integer(*command, "--samples", options->samples, 1, 16, "Samples a pixel: 1, 4, 9 or 16");
+    command->add_flag("--all-effects", options->all_effects, "Every unit evaluates every fragment, needed or not");
+    command->add_flag("--compare", options->compare, "All engines, and NAME_difference.png; exit 1 unless fixed = rtl");
+    command->add_option("--against", options->against, "With --compare: the lobe of the float picture");
+    command->add_option("--json", options->json, "Write plan, times and differences");
+    add_integer(*command, "--threads", options->threads, 0, most_threads, "Threads; 0: one a core");
+    command->footer("Example: glint render scenes/still_life.json --engine rtl --samples 4 -o still_life.png");
+    command->callback([=, &chosen] { chosen.run = [=, &chosen] { return run_render(*options, chosen.command); }; });
+}
+
+}  // namespace glint::cli

@@ -1,0 +1,497 @@
+#!/usr/bin/env python3
+"""Writes the shipped scenes: models (.obj, .mtl) and scene files (.json), into the folder of this file or another.
+
+    scenes/make.py [FOLDER]
+
+Shadows are not rendered; what darkens the ground around an object is computed here, for spheres that stand for the
+objects, and stored as the colours of the ground's vertices: ambient occlusion, and the soft shadow of one light.
+"""
+
+import colorsys
+import json
+import math
+import random
+import sys
+from pathlib import Path
+
+LOBES = ("bps", "schlick", "quadratic", "cubic", "cosine_power", "gauss", "spherical_gaussian", "cayley", "taylor",
+         "polynomial", "blinn_phong")
+
+
+def obj(lines, vertices, faces, colours=None, header=""):
+    """An OBJ text; faces are lists of vertex numbers from 1, which may have a material before them as a string."""
+    out = [f"# Written by scenes/make.py: {lines}", *([header] if header else [])]
+    for i, (x, y, z) in enumerate(vertices):
+        colour = "".join(f" {c:.3g}" for c in colours[i]) if colours else ""
+        out.append(f"v {x:.4f} {y:.4f} {z:.4f}{colour}")
+    out += [face if isinstance(face, str) else "f " + " ".join(map(str, face)) for face in faces]
+    return "\n".join(out) + "\n"
+
+
+def sphere(across=56, down=28):
+    """A unit sphere whose normals are its vertices."""
+    points = [(0, 1, 0)]
+    for j in range(1, down):
+        for i in range(across):
+            a, b = 2 * math.pi * i / across, math.pi * j / down
+            points.append((math.sin(b) * math.sin(a), math.cos(b), math.sin(b) * math.cos(a)))
+    points.append((0, -1, 0))
+    last = len(points)
+    faces = []
+    for i in range(across):
+        n = (i + 1) % across
+        faces.append((1, 2 + i, 2 + n))
+        for j in range(down - 2):
+            a, b = 2 + j * across, 2 + (j + 1) * across
+            faces.append((a + i, b + i, b + n, a + n))
+        a = 2 + (down - 2) * across
+        faces.append((a + i, last, a + n))
+    out = ["# Written by scenes/make.py: a unit sphere"]
+    out += [f"v {x:.5f} {y:.5f} {z:.5f}" for x, y, z in points] + [f"vn {x:.5f} {y:.5f} {z:.5f}" for x, y, z in points]
+    out += ["f " + " ".join(f"{v}//{v}" for v in face) for face in faces]
+    return "\n".join(out) + "\n"
+
+
+def spline(points, steps):
+    """A Catmull-Rom curve through points of the plane; a point given twice is a corner."""
+    out = []
+    for k in range(len(points) - 1):
+        p1, p2 = points[k], points[k + 1]
+        if p1 == p2:
+            continue
+        p0 = points[k - 1] if k > 0 else p1
+        p3 = points[k + 2] if k + 2 < len(points) else p2
+        for s in range(steps):
+            t = s / steps
+            out.append(tuple(0.5 * (2 * b + (c - a) * t + (2 * a - 5 * b + 4 * c - d) * t * t +
+                                    (3 * b - a - 3 * c + d) * t * t * t) for a, b, c, d in zip(p0, p1, p2, p3)))
+    return out + [points[-1]]
+
+
+def lathe(about, profile, across, colour=None, bend=None):
+    """Turns a profile of (radius, height), from the bottom up, about the y axis."""
+    vertices, colours, faces = [], [], []
+    for j, (r, y) in enumerate(profile):
+        for i in range(across):
+            a = 2 * math.pi * i / across
+            p = (r * math.sin(a), y, r * math.cos(a))
+            vertices.append(bend(p, a) if bend else p)
+            if colour:
+                colours.append(colour(j / (len(profile) - 1), a))
+        for i in range(across):
+            n = (i + 1) % across
+            if j > 0:
+                a, b = 1 + (j - 1) * across, 1 + j * across
+                if profile[j - 1][0] == 0:  # a pole: one corner
+                    faces.append((a, b + n, b + i))
+                elif r == 0:
+                    faces.append((a + i, a + n, b))
+                else:
+                    faces.append((a + i, a + n, b + n, b + i))
+    return obj(about, vertices, faces, colours or None)
+
+
+def vase():
+    outside = [(0, 0), (0.30, 0), (0.34, 0.02), (0.34, 0.02), (0.36, 0.10), (0.56, 0.45), (0.66, 0.80), (0.58, 1.15),
+               (0.34, 1.42), (0.21, 1.62), (0.20, 1.80), (0.30, 1.98), (0.345, 2.02), (0.33, 2.045)]
+    inside = [(0.27, 1.97), (0.165, 1.80), (0.17, 1.62), (0.28, 1.42)]
+    return lathe("a vase", spline(outside + inside, 4), 64)
+
+
+def bowl():
+    outside = [(0, 0), (0.24, 0), (0.27, 0.02), (0.27, 0.02), (0.22, 0.07), (0.24, 0.12), (0.44, 0.22), (0.60, 0.40),
+               (0.68, 0.60), (0.69, 0.63)]
+    inside = [(0.665, 0.63), (0.575, 0.42), (0.42, 0.26), (0.22, 0.18), (0, 0.165)]
+    return lathe("a bowl on a foot", spline(outside + inside, 5), 64)
+
+
+def mix(a, b, t):
+    t = min(1, max(0, t))
+    return tuple(x + (y - x) * t for x, y in zip(a, b))
+
+
+def apple():
+    profile = spline([(0, 0.10), (0.05, 0.06), (0.14, 0.01), (0.26, 0.02), (0.40, 0.17), (0.46, 0.42), (0.41, 0.66),
+                      (0.27, 0.77), (0.13, 0.75), (0.05, 0.67), (0.025, 0.64)], 3)
+    stem = [(0.025, 0.64), (0.02, 0.72), (0.021, 0.80), (0.032, 0.86), (0, 0.87)]
+    body = len(profile)
+    total = body + len(stem) - 1
+
+    def colour(t, a):
+        if t * total > body:
+            return (0.22, 0.13, 0.06)
+        red = mix((0.62, 0.03, 0.03), (0.80, 0.10, 0.04), 0.5 + 0.5 * math.sin(11 * a + 3 * math.sin(2 * a)))
+        blush = mix(red, (0.80, 0.52, 0.10), max(0, 1.9 * t - 0.92) + max(0, 0.5 - 6 * t))
+        return mix(blush, (0.78, 0.62, 0.16), 0.35 * max(0, math.sin(a + 0.6)) ** 2)
+
+    def bend(p, a):
+        x, y, z = p
+        lobed = 1 + 0.018 * math.cos(5 * a) * (1 - y)
+        tilt = 0.12 * max(0, y - 0.70) if y > 0.7 else 0
+        return (x * lobed + tilt, y, z * lobed)
+
+    return lathe("an apple", profile + stem[1:], 48, colour, bend)
+
+
+def pear():
+    profile = spline([(0, 0.07), (0.06, 0.03), (0.16, 0.0), (0.32, 0.09), (0.42, 0.33), (0.36, 0.58), (0.22, 0.82),
+                      (0.155, 1.00), (0.115, 1.12), (0.045, 1.17), (0.022, 1.15)], 3)
+    stem = [(0.022, 1.15), (0.018, 1.24), (0.02, 1.33), (0.028, 1.40), (0, 1.41)]
+    body = len(profile)
+    total = body + len(stem) - 1
+
+    def colour(t, a):
+        if t * total > body:
+            return (0.20, 0.12, 0.05)
+        green = mix((0.50, 0.56, 0.10), (0.72, 0.62, 0.13), 0.5 + 0.5 * math.sin(a + 2.0))
+        return mix(green, (0.76, 0.36, 0.10), 0.55 * max(0, math.sin(a - 0.5)) ** 2 * math.sin(math.pi * min(1, t)))
+
+    def bend(p, a):
+        x, y, z = p
+        lean = 0.10 * max(0, y - 0.5) ** 2
+        return (x + lean + (0.10 * max(0, y - 1.15)), y, z)
+
+    return lathe("a pear", profile + stem[1:], 48, colour, bend)
+
+
+def knot():
+    """A (2, 3) torus knot: a tube around a curve that winds around a ring."""
+    def ring(t):
+        return (0.62 * math.cos(2 * t), 0.0, 0.62 * math.sin(2 * t))
+
+    def outward(t):
+        r = 0.26 * math.cos(3 * t)
+        return (r * math.cos(2 * t), 0.34 * math.sin(3 * t), r * math.sin(2 * t))
+
+    def centre(t):
+        return tuple(a + b for a, b in zip(ring(t), outward(t)))
+
+    def cross(a, b):
+        return (a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])
+
+    def unit(a):
+        length = math.sqrt(sum(x * x for x in a))
+        return tuple(x / length for x in a)
+
+    along, around = 192, 20
+    vertices, faces = [], []
+    for i in range(along):
+        t = 2 * math.pi * i / along
+        p = centre(t)
+        tangent = unit(tuple(a - b for a, b in zip(centre(t + 1e-3), centre(t - 1e-3))))
+        side = unit(cross(tangent, outward(t)))
+        up = cross(side, tangent)
+        for j in range(around):
+            a = 2 * math.pi * j / around
+            vertices.append(tuple(c + 0.155 * (math.cos(a) * s + math.sin(a) * u) for c, s, u in zip(p, side, up)))
+            k, m = (i + 1) % along, (j + 1) % around
+            faces.append((1 + i * around + j, 1 + k * around + j, 1 + k * around + m, 1 + i * around + m))
+    return obj("a torus knot", vertices, faces)
+
+
+def light_left(x, y, z, normal, blockers):
+    """What spheres (x, y, z, r) leave of the light from all around: 1 less the cosine-weighted solid angle of each."""
+    left = 1.0
+    for bx, by, bz, r in blockers:
+        d = (bx - x, by - y, bz - z)
+        distance = math.sqrt(sum(c * c for c in d))
+        if distance <= r:
+            return 0.0
+        cosine = sum(c * n for c, n in zip(d, normal)) / distance
+        left *= 1 - max(0.0, cosine) * (r / distance) ** 2
+    return left
+
+
+def shadow(x, y, z, light, blockers):
+    """How much of a round light spheres hide, about: 0 .. 1."""
+    to = [a - b for a, b in zip(light, (x, y, z))]
+    far = math.sqrt(sum(c * c for c in to))
+    half = 0.10  # the light's radius, as an angle
+    seen = 1.0
+    for bx, by, bz, r in blockers:
+        d = (bx - x, by - y, bz - z)
+        distance = math.sqrt(sum(c * c for c in d))
+        if distance <= r:
+            return 1.0
+        angle = math.acos(max(-1.0, min(1.0, sum(a * b for a, b in zip(to, d)) / (far * distance))))
+        t = min(1.0, max(0.0, (math.asin(r / distance) + half - angle) / (2 * half)))
+        seen *= 1 - t * t * (3 - 2 * t)
+    return 1 - seen
+
+
+def ground(about, blockers, light, half_width, front, back, height, columns, rows):
+    """A floor that bends up into a wall behind; columns are denser around the middle, rows in front."""
+    radius = 1.4
+    vertices, colours, faces = [], [], []
+    arc = radius * math.pi / 2
+    length = (front - back - radius) + arc + (height - radius)
+    for j in range(rows + 1):
+        s = length * (j / rows) ** 1.15
+        if s < front - back - radius:
+            y, z, normal = 0.0, front - s, (0, 1, 0)
+        elif s < front - back - radius + arc:
+            a = (s - (front - back - radius)) / radius
+            y, z = radius * (1 - math.cos(a)), back + radius - radius * math.sin(a)
+            normal = (0, math.cos(a), math.sin(a))
+        else:
+            y, z, normal = radius + s - (front - back - radius) - arc, back, (0, 0, 1)
+        for i in range(columns + 1):
+            u = 2 * i / columns - 1
+            x = half_width * (0.45 * u + 0.55 * u ** 3)
+            vertices.append((x, y, z))
+            left = (0.15 + 0.85 * light_left(x, y, z, normal, blockers)) * (1 - 0.55 * shadow(x, y, z, light, blockers))
+            colours.append((left, left, left))
+    for j in range(rows):
+        for i in range(columns):
+            a = 1 + j * (columns + 1) + i
+            faces.append((a, a + 1, a + columns + 2, a + columns + 1))
+    return obj(about, vertices, faces, colours)
+
+
+def scene(about, **parts):
+    return json.dumps({"about": about, **parts}, indent=1) + "\n"
+
+
+# ------------------------------------------------------------------------------------------------------ the still life
+
+STILL_LIGHT = (-3.0, 3.8, 2.9)
+STILL_LIFE = [  # file, material, place, turn, scale, spheres that stand for it
+    ("vase.obj", "glaze", (-0.72, 0, -0.35), 0, 1.0, [(0, 0.42, 0, 0.42), (0, 0.85, 0, 0.64), (0, 1.6, 0, 0.24)]),
+    ("bowl.obj", "brass", (0.62, 0, -0.20), 0, 1.0, [(0, 0.16, 0, 0.24), (0, 0.5, 0, 0.60)]),
+    ("apple.obj", "fruit", (0.42, 0.36, -0.28), 40, 0.86, []),
+    ("apple.obj", "fruit", (0.94, 0.38, -0.16), 170, 0.78, []),
+    ("apple.obj", "fruit", (-0.10, 0, 0.62), 250, 0.86, [(0, 0.35, 0, 0.37)]),
+    ("pear.obj", "fruit", (1.44, 0, 0.36), 200, 0.92, [(0, 0.33, 0, 0.37), (0, 0.8, 0, 0.2)]),
+    ("sphere.obj", "pearl", (0.62, 0.17, 0.86), 0, 0.17, [(0, 0, 0, 1)]),
+    ("sphere.obj", "pearl", (0.98, 0.12, 0.96), 0, 0.12, [(0, 0, 0, 1)]),
+    ("sphere.obj", "pearl", (-1.30, 0.15, 0.55), 0, 0.15, [(0, 0, 0, 1)]),
+]
+
+
+def blockers(objects):
+    return [(x + scale * bx, y + scale * by, z + scale * bz, scale * r)
+            for _, _, (x, y, z), _, scale, spheres in objects for bx, by, bz, r in spheres]
+
+
+def placed(objects, material=None):
+    out = []
+    for file, name, place, turn, scale, _ in objects:
+        entry = {"file": file, "material": material or name, "translate": place}
+        if turn:
+            entry["turn"] = turn
+        if scale != 1.0:
+            entry["scale"] = scale
+        out.append(entry)
+    return out
+
+
+def still_life():
+    return scene(
+        "A still life: a glazed vase, a brass bowl, fruit, pearls, on matte paper.",
+        objects=[{"file": "still_life_ground.obj", "material": "paper"}, *placed(STILL_LIFE)],
+        materials={
+            "paper": {"Ka": [0.44, 0.39, 0.35], "Kd": [0.44, 0.39, 0.35]},
+            "glaze": {"Ka": [0.02, 0.10, 0.16], "Kd": [0.02, 0.13, 0.22], "Ks": [0.62, 0.66, 0.70], "Ns": 180},
+            "brass": {"Ka": [0.30, 0.19, 0.05], "Kd": [0.34, 0.20, 0.05], "Ks": [1.0, 0.72, 0.30], "Ns": 12},
+            "fruit": {"Ka": [0.9, 0.9, 0.9], "Kd": [0.9, 0.9, 0.9], "Ks": [0.22, 0.22, 0.20], "Ns": 40},
+            "pearl": {"Ka": [0.05, 0.04, 0.05], "Kd": [0.06, 0.05, 0.06], "Ks": [0.75, 0.72, 0.78], "Ns": 600,
+                      "brdf": "phong"},
+        },
+        lights=[
+            {"position": STILL_LIGHT, "colour": [1.0, 0.93, 0.82], "intensity": 15, "attenuation": [1, 0, 0.5]},
+            {"position": [3.6, 1.7, 2.0], "colour": [0.50, 0.66, 1.0], "intensity": 2.4, "attenuation": [1, 0, 0.45]},
+            {"direction": [-0.55, -0.42, 1.0], "colour": [1.0, 0.84, 0.66], "intensity": 0.55},
+        ],
+        ambient=[0.13, 0.14, 0.17],
+        background=[0.03, 0.03, 0.035],
+        camera={"eye": [0.35, 1.75, 5.4], "target": [0.18, 0.84, 0.0], "fov": 30.5},
+    )
+
+
+# ---------------------------------------------------------------------------------------------------------- the others
+
+def sphere_grid():
+    exponents = (4, 10, 25, 60, 200, 1000)
+    materials, objects = {}, []
+    for i, lobe in enumerate(LOBES):
+        hue = colorsys.hsv_to_rgb(0.56 + 0.72 * i / len(LOBES), 0.75, 0.42)
+        for j, n in enumerate(exponents):
+            name = f"{lobe}, n = {n}"
+            materials[name] = {"Ka": [round(c, 3) for c in hue], "Kd": [round(c, 3) for c in hue],
+                               "Ks": [0.65, 0.65, 0.65], "Ns": n, "lobe": lobe}
+            objects.append({"file": "sphere.obj", "material": name, "scale": 0.44,
+                            "translate": [i - (len(LOBES) - 1) / 2, (len(exponents) - 1) / 2 - j, 0]})
+    return scene(
+        "Columns are lobes in the order of the README's figures, from bps to blinn_phong; rows are n = 4, 10, 25, 60, 200, 1000.",
+        objects=objects, materials=materials,
+        lights=[{"direction": [0.45, -0.55, -1.0], "colour": [1, 0.97, 0.92], "intensity": 0.9}],
+        ambient=[0.2, 0.2, 0.22], background={"top": [0.04, 0.045, 0.055], "bottom": [0.015, 0.016, 0.02]},
+        camera={"eye": [0, 0, 22], "target": [0, 0, 0], "fov": 16.2})
+
+
+MATTE_LIGHT = (-3.2, 4.0, 2.9)
+MATTE = [
+    ("vase.obj", "terracotta", (-0.95, 0, -0.30), 0, 1.0, STILL_LIFE[0][5]),
+    ("bowl.obj", "sage", (0.35, 0, -0.45), 0, 1.05, STILL_LIFE[1][5]),
+    ("knot.obj", "chalk", (1.42, 0.50, 0.30), 25, 0.72, [(0, 0, 0, 0.62)]),
+    ("sphere.obj", "ochre", (-0.10, 0.30, 0.62), 0, 0.30, [(0, 0, 0, 1)]),
+    ("sphere.obj", "slate", (0.52, 0.20, 0.86), 0, 0.20, [(0, 0, 0, 1)]),
+    ("sphere.obj", "terracotta", (-1.62, 0.24, 0.55), 0, 0.24, [(0, 0, 0, 1)]),
+]
+
+
+def matte():
+    colours = {"paper": (0.66, 0.62, 0.58), "terracotta": (0.55, 0.20, 0.11), "sage": (0.28, 0.38, 0.26),
+               "chalk": (0.80, 0.78, 0.74), "ochre": (0.66, 0.42, 0.10), "slate": (0.16, 0.20, 0.27)}
+    return scene(
+        "Clay and paper: no highlights, so no unit of a highlight is needed.",
+        objects=[{"file": "matte_ground.obj", "material": "paper"}, *placed(MATTE)],
+        materials={name: {"Ka": c, "Kd": c} for name, c in colours.items()},
+        lights=[
+            {"position": MATTE_LIGHT, "colour": [1.0, 0.95, 0.86], "intensity": 9, "attenuation": [1, 0, 0.35]},
+            {"position": [3.6, 2.0, 2.0], "colour": [0.6, 0.74, 1.0], "intensity": 2.2, "attenuation": [1, 0, 0.35]},
+        ],
+        ambient=[0.16, 0.17, 0.20],
+        camera={"eye": [0.2, 1.9, 5.6], "target": [0.05, 0.78, 0.0], "fov": 29})
+
+
+def bulbs():
+    """Where the small lights are: place, and which of the colours."""
+    rng = random.Random(7)
+    out = []
+    while len(out) < 40:
+        x, z = rng.uniform(-3.4, 3.4), rng.uniform(-2.6, 2.4)
+        if all((x - u) ** 2 + (z - w) ** 2 > 0.42 for (u, _, w), _ in out):
+            out.append(((round(x, 3), round(rng.uniform(0.22, 0.75), 3), round(z, 3)), len(out) % 6))
+    return out
+
+
+BULB_COLOURS = [(1.0, 0.42, 0.10), (1.0, 0.72, 0.30), (0.95, 0.22, 0.30), (0.25, 0.55, 1.0), (0.35, 0.95, 0.60),
+                (0.75, 0.35, 1.0)]
+
+
+def bulb_model():
+    """The bulbs themselves, as small octahedra cut to spheres, in materials of `illum 0`."""
+    vertices, faces, current = [], [], None
+    for (x, y, z), colour in sorted(bulbs(), key=lambda b: b[1]):
+        if colour != current:
+            faces.append(f"usemtl bulb_{colour}")
+            current = colour
+        first = len(vertices)
+        down, across = 6, 10
+        for j in range(1, down):
+            for i in range(across):
+                a, b = 2 * math.pi * i / across, math.pi * j / down
+                vertices.append((x + 0.04 * math.sin(b) * math.sin(a), y + 0.04 * math.cos(b),
+                                 z + 0.04 * math.sin(b) * math.cos(a)))
+        for j in range(down - 2):
+            for i in range(across):
+                n = (i + 1) % across
+                a, b = first + 1 + j * across, first + 1 + (j + 1) * across
+                faces.append((a + i, b + i, b + n, a + n))
+        faces.append(tuple(range(first + 1, first + 1 + across)))
+        faces.append(tuple(range(len(vertices), len(vertices) - across, -1)))
+    return obj("bulbs of many_lights.json", vertices, faces, header="mtllib bulbs.mtl")
+
+
+def bulb_materials():
+    out = "# Written by scenes/make.py: shown as they are, whatever the light\n"
+    for i, colour in enumerate(BULB_COLOURS):
+        out += f"newmtl bulb_{i}\nillum 0\nKd " + " ".join(f"{min(1, 0.12 + c):g}" for c in colour) + "\n"
+    return out
+
+
+def many_lights():
+    rng = random.Random(11)
+    objects = [{"file": "many_lights_floor.obj", "material": "floor"}, {"file": "bulbs.obj"}]
+    placed_spheres = []
+    lamps = [p for p, _ in bulbs()]
+    while len(placed_spheres) < 26:
+        x, z, r = rng.uniform(-3.2, 3.2), rng.uniform(-2.4, 2.2), rng.uniform(0.14, 0.34)
+        apart = all((x - u) ** 2 + (z - w) ** 2 > (r + s + 0.05) ** 2 for u, w, s in placed_spheres)
+        if apart and all((x - u) ** 2 + (r - v) ** 2 + (z - w) ** 2 > (r + 0.1) ** 2 for u, v, w in lamps):
+            placed_spheres.append((x, z, r))
+            objects.append({"file": "sphere.obj", "material": ("black", "white", "steel")[len(placed_spheres) % 3],
+                            "scale": round(r, 3), "translate": [round(x, 3), round(r, 3), round(z, 3)]})
+    return scene(
+        "Forty small lights over a dark floor.",
+        objects=objects,
+        materials={
+            "floor": {"Ka": [0.14, 0.14, 0.16], "Kd": [0.22, 0.22, 0.24], "Ks": [0.35, 0.35, 0.35], "Ns": 40},
+            "black": {"Ka": [0.05, 0.05, 0.06], "Kd": [0.03, 0.03, 0.03], "Ks": [0.8, 0.8, 0.8], "Ns": 320},
+            "white": {"Ka": [0.6, 0.6, 0.6], "Kd": [0.65, 0.65, 0.65], "Ks": [0.3, 0.3, 0.3], "Ns": 80},
+            "steel": {"Ka": [0.1, 0.1, 0.11], "Kd": [0.12, 0.12, 0.13], "Ks": [0.7, 0.7, 0.72], "Ns": 30},
+        },
+        lights=[{"position": place, "colour": BULB_COLOURS[colour], "intensity": 4.0, "attenuation": [1, 2, 14]}
+                for place, colour in bulbs()],
+        ambient=[0.10, 0.10, 0.13],
+        background={"top": [0.004, 0.005, 0.01], "bottom": [0.01, 0.01, 0.015]},
+        camera={"eye": [0.2, 1.9, 5.0], "target": [0, 0, -0.1], "fov": 40})
+
+
+def floor():
+    """One rectangle: every pixel of it is lit by itself."""
+    vertices = [(x, 0, z) for z in (3, -5) for x in (-8, 8)]
+    return obj("a floor", vertices, [(1, 2, 4, 3)])
+
+
+def figure():
+    return scene(
+        "The test figure: one light, one material, n = 50.",
+        objects=[{"file": "knot.obj", "material": "figure", "turn": 20}],
+        materials={"figure": {"Ka": [0.30, 0.10, 0.06], "Kd": [0.42, 0.12, 0.07], "Ks": [0.85, 0.85, 0.85], "Ns": 50}},
+        lights=[{"direction": [0.5, -1.0, -0.8], "colour": [1, 1, 1]}],
+        ambient=[0.25, 0.25, 0.28], background={"top": [0.20, 0.22, 0.25], "bottom": [0.07, 0.075, 0.085]},
+        camera={"eye": [0, 2.6, 3.4], "target": [0, -0.02, 0], "fov": 31})
+
+
+def models():
+    """Every lighting model, in the order of the registry, by roughness."""
+    highlight = {"Ka": [0.05, 0.06, 0.07], "Kd": [0.10, 0.12, 0.15], "Ks": [0.5, 0.5, 0.5]}
+    matte = {"Ka": [0.30, 0.17, 0.11], "Kd": [0.62, 0.34, 0.22]}
+    columns = [("lambert", matte), ("oren_nayar", matte), ("phong", highlight), ("blinn_phong", highlight),
+               ("ward", {**highlight, "Ks": [0.12, 0.12, 0.12], "aniso": 0.6}), ("cook_torrance", highlight),
+               ("cook_torrance_modified", highlight)]
+    materials, objects = {}, []
+    for i, (model, colours) in enumerate(columns):
+        for j, roughness in enumerate((0.15, 0.3, 0.6)):
+            name = f"{model}, Pr = {roughness}"
+            materials[name] = {**colours, "brdf": model, "Pr": roughness, "Ni": 3.0, "Ns": round(2 / roughness ** 2)}
+            objects.append({"file": "sphere.obj", "material": name, "scale": 0.44,
+                            "translate": [i - (len(columns) - 1) / 2, 1 - j, 0]})
+    return scene(
+        "Columns are lighting models: lambert, oren_nayar, phong, blinn_phong, ward, cook_torrance and its modified "
+        "form; rows are roughness 0.15, 0.3, 0.6.",
+        objects=objects, materials=materials,
+        lights=[{"direction": [0.5, -0.6, -0.8], "colour": [1, 0.97, 0.92]}],
+        ambient=[0.2, 0.2, 0.22], background={"top": [0.04, 0.045, 0.055], "bottom": [0.015, 0.016, 0.02]},
+        camera={"eye": [0, 0, 16], "target": [0, 0, 0], "fov": 14.2})
+
+
+def files():
+    return {
+        "sphere.obj": sphere(), "vase.obj": vase(), "bowl.obj": bowl(), "apple.obj": apple(), "pear.obj": pear(),
+        "knot.obj": knot(),
+        "still_life_ground.obj": ground("the paper of still_life.json", blockers(STILL_LIFE), STILL_LIGHT, 6.5, 3.4, -3.6, 5.0, 66, 44),
+        "matte_ground.obj": ground("the paper of matte.json", blockers(MATTE), MATTE_LIGHT, 6.5, 3.4, -3.6, 5.0, 66, 44),
+        "many_lights_floor.obj": floor(), "bulbs.obj": bulb_model(), "bulbs.mtl": bulb_materials(),
+        "still_life.json": still_life(), "sphere_grid.json": sphere_grid(), "matte.json": matte(),
+        "many_lights.json": many_lights(), "figure.json": figure(), "models.json": models(),
+    }
+
+
+def main():
+    if len(sys.argv) > 2 or sys.argv[1:] in (["-h"], ["--help"]):
+        print(__doc__.strip())
+        return 0 if len(sys.argv) == 2 else 2
+    folder = Path(sys.argv[1]) if len(sys.argv) == 2 else Path(__file__).resolve().parent
+    if not folder.is_dir():
+        print(f"make.py: folder '{folder}' is not there", file=sys.stderr)
+        return 2
+    for name, text in files().items():
+        (folder / name).write_text(text)
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
