@@ -8,10 +8,10 @@
 #define GLINT_TOP(top)                                                                                       \
     extern "C" void top(std::int32_t nl, std::int32_t nv, std::int32_t lv, std::uint32_t a, std::uint32_t b, \
                         std::uint32_t* y, bool* clamped);                                                    \
-    GLINT_EFFECT_PIPELINE_HEAD                                                                               \
+    GLINT_PIPELINE_CATAPULT                                                                                  \
     extern "C" void top(std::int32_t nl, std::int32_t nv, std::int32_t lv, std::uint32_t a, std::uint32_t b, \
                         std::uint32_t* y, bool* clamped) {                                                   \
-        GLINT_EFFECT_PIPELINE_BODY                                                                           \
+        GLINT_PIPELINE_VITIS                                                                                 \
         glint_hls::effect_oren_nayar<top##_constants>(nl, nv, lv, a, b, y, clamped);                         \
     }
 

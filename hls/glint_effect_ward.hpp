@@ -2,7 +2,7 @@
 #ifndef GLINT_EFFECT_WARD_HPP
 #define GLINT_EFFECT_WARD_HPP
 
-#include "glint_effect_ports.hpp"
+#include "glint_effect.hpp"
 #include "glint_exp_log.hpp"
 
 namespace glint_hls {
@@ -25,8 +25,8 @@ struct WardPower : Constants {
 };
 
 template <class Constants>
-void effect_ward(std::int32_t nl_code, std::int32_t nv_code, std::int32_t nh_code, std::int32_t ht_code,
-                 std::int32_t hb_code, std::uint32_t kx_code, std::uint32_t ky_code, std::int32_t log_peak_code,
+void effect_ward(std::int32_t nl_port, std::int32_t nv_port, std::int32_t nh_port, std::int32_t ht_port,
+                 std::int32_t hb_port, std::uint32_t kx_port, std::uint32_t ky_port, std::int32_t log_peak_port,
                  std::uint32_t* y, bool* clamped) {
     constexpr int F = Constants::F;
     constexpr int L = Constants::L;
@@ -34,29 +34,28 @@ void effect_ward(std::int32_t nl_code, std::int32_t nv_code, std::int32_t nh_cod
     constexpr int O = Constants::O;
     constexpr int T_W = S + 7;  // bits of r2 and t, below 128
 
-    bool changed = false;
-    const sint<F + 2> nl = dot<F>(nl_code, changed);
-    const sint<F + 2> nv = dot<F>(nv_code, changed);
-    const sint<F + 2> nh = dot<F>(nh_code, changed);
-    const sint<F + 2> ht = dot<F>(ht_code, changed);
-    const sint<F + 2> hb = dot<F>(hb_code, changed);
-    const uint<O + 7> kx = to_uint<O + 7>(kx_code);
-    const uint<O + 7> ky = to_uint<O + 7>(ky_code);
+    const Cut<sint<F + 2>> nl = cut_dot<F>(nl_port);
+    const Cut<sint<F + 2>> nv = cut_dot<F>(nv_port);
+    const Cut<sint<F + 2>> nh = cut_dot<F>(nh_port);
+    const Cut<sint<F + 2>> ht = cut_dot<F>(ht_port);
+    const Cut<sint<F + 2>> hb = cut_dot<F>(hb_port);
+    const uint<O + 7> kx = to_uint<O + 7>(kx_port);
+    const uint<O + 7> ky = to_uint<O + 7>(ky_port);
     const sint<S + 5> eight = to_sint<S + 5>(sint<S + 5>{8} << S);
-    const sint<S + 5> asked = to_sint<S + 5>(log_peak_code);
+    const sint<S + 5> asked = to_sint<S + 5>(log_peak_port);
     const sint<S + 5> log_peak = asked > eight ? eight : asked < -eight ? to_sint<S + 5>(-eight) : asked;
-    *clamped = changed || asked != log_peak;
+    *clamped = nl.clamped || nv.clamped || nh.clamped || ht.clamped || hb.clamped || asked != log_peak;
 
     // In the dark the numbers are those of grazing vectors: in range, and without meaning.
-    const bool dark = nl <= 0 || nv <= 0 || nh < 0;
-    const uint<F + 1> light = dark ? to_uint<F + 1>(1) : to_uint<F + 1>(nl);
-    const uint<F + 1> viewer = dark ? to_uint<F + 1>(1) : to_uint<F + 1>(nv);
-    const uint<F + 1> half = dark ? to_uint<F + 1>(0) : to_uint<F + 1>(nh);
+    const bool dark = nl.value <= 0 || nv.value <= 0 || nh.value < 0;
+    const uint<F + 1> light = dark ? to_uint<F + 1>(1) : to_uint<F + 1>(nl.value);
+    const uint<F + 1> viewer = dark ? to_uint<F + 1>(1) : to_uint<F + 1>(nv.value);
+    const uint<F + 1> half = dark ? to_uint<F + 1>(0) : to_uint<F + 1>(nh.value);
 
     // hx, hy below 16 at O + 3 bits: the sum of their squares is below 512 at 2 O + 6.
     constexpr int R_W = 2 * O + 15;
-    const uint<R_W> hx = ward_scaled<F, O>(ht, kx);
-    const uint<R_W> hy = ward_scaled<F, O>(hb, ky);
+    const uint<R_W> hx = ward_scaled<F, O>(ht.value, kx);
+    const uint<R_W> hy = ward_scaled<F, O>(hb.value, ky);
     const uint<R_W> squares = to_uint<R_W>(to_uint<R_W>(hx * hx) + to_uint<R_W>(hy * hy));
     const uint<T_W + 3> rounded = to_uint<T_W + 3>(rnd<O + 2>(squares));
     const uint<T_W + 3> most = to_uint<T_W + 3>(to_uint<T_W + 3>(uint<T_W + 3>{1} << T_W) - 1U);

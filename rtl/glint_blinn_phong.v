@@ -12,6 +12,7 @@ module glint_blinn_phong #(
     parameter E     = 3,   // address bits of exp2
     parameter S     = 16,  // fraction bits of t and p
     parameter O     = 12,  // fraction bits of the output
+    parameter MULTIPLIER_STAGES = 1,  // clocks of a product
     parameter TAG_W = 16   // width of the tag, at least 1
 ) (
     input  wire             clk_i,
@@ -33,16 +34,17 @@ module glint_blinn_phong #(
     input  wire [3*S-3*E+5:0] exp2_entry_i
 );
 
-    localparam LATENCY = 18;  // 1 correct, 8 log2, 2 product with n, 7 exp2
-
+    // Clocks: 1 correct, 8 log2, 2 product with n, 7 exp2. Products: two in each parabola, n u.
     wire       advance, negative;
     wire [9:0] n;
     wire [F:0] cosine;
     /* verilator lint_off PINCONNECTEMPTY */
     glint_ports #(
-        .F      (F),
-        .LATENCY(LATENCY),
-        .TAG_W  (TAG_W)
+        .F                (F),
+        .LATENCY          (18),
+        .PRODUCTS         (5),
+        .MULTIPLIER_STAGES(MULTIPLIER_STAGES),
+        .TAG_W            (TAG_W)
     ) ports (
         .clk_i     (clk_i),
         .rst_ni    (rst_ni),
@@ -56,6 +58,7 @@ module glint_blinn_phong #(
         .tag_o     (tag_o),
         .clamped_o (clamped_o),
         .advance_o (advance),
+        .start_o   (),
         .n_o       (n),
         .cosine_o  (cosine),
         .distance_o(),
@@ -68,7 +71,8 @@ module glint_blinn_phong #(
     glint_log2 #(
         .F(F),
         .T(T),
-        .L(L)
+        .L(L),
+        .MULTIPLIER_STAGES(MULTIPLIER_STAGES)
     ) log2 (
         .clk_i    (clk_i),
         .enable_i (advance),
@@ -81,7 +85,7 @@ module glint_blinn_phong #(
     wire [9:0] n_late;
     glint_delay #(
         .WIDTH (10),
-        .STAGES(8)
+        .STAGES(2 * MULTIPLIER_STAGES + 6)
     ) delay_n (
         .clk_i   (clk_i),
         .enable_i(advance),
@@ -92,15 +96,25 @@ module glint_blinn_phong #(
     // n u <= 1023 * 31 * 2^L = 31713 2^L, also with the half that rounds it: 15 integer bits. t = rnd(n u, L - S).
     localparam CUT = L - S;
 
-    reg [L+14:0] product_q;
-    reg [S+14:0] t_q;
+    wire [L+14:0] product;
+    reg  [S+14:0] t_q;
+    glint_multiplier #(
+        .A_W   (L + 5),
+        .B_W   (10),
+        .STAGES(MULTIPLIER_STAGES)
+    ) multiplier (
+        .clk_i    (clk_i),
+        .enable_i (advance),
+        .a_i      (u),
+        .b_i      (n_late),
+        .product_o(product)
+    );
     /* verilator lint_off UNUSED */  // the low bits of the sum are those that rounding cuts
-    wire [L+14:0] sum = product_q + {{(L + 15 - CUT) {1'b0}}, 1'b1, {(CUT - 1) {1'b0}}};
+    wire [L+14:0] sum = product + {{(L + 15 - CUT) {1'b0}}, 1'b1, {(CUT - 1) {1'b0}}};
     /* verilator lint_on UNUSED */
     always @(posedge clk_i) begin
         if (advance) begin
-            product_q <= {{(L + 5) {1'b0}}, n_late} * {10'd0, u};
-            t_q       <= sum[L+14:CUT];
+            t_q <= sum[L+14:CUT];
         end
     end
 
@@ -108,7 +122,8 @@ module glint_blinn_phong #(
         .I_W(15),
         .E  (E),
         .S  (S),
-        .O  (O)
+        .O  (O),
+        .MULTIPLIER_STAGES(MULTIPLIER_STAGES)
     ) exp2 (
         .clk_i     (clk_i),
         .enable_i  (advance),

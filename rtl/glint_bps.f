@@ -4,6 +4,12 @@ glint_axis.v
 glint_bps.v
 glint_delay.v
 glint_divider.v
+glint_divider_iterative.v
+glint_divider_radix4.v
+glint_divider_reciprocal.v
+glint_divider_restoring.v
+glint_horner.v
+glint_multiplier.v
 glint_ports.v
 glint_ratio.v
 glint_skid.v

@@ -1,4 +1,4 @@
-// glint_cayley: the lobe `cayley` of the specular highlight in fixed point, one result a clock.
+// glint_cayley: the lobe `cayley` of the specular highlight in fixed point.
 //
 // The arithmetic is that of docs/lobes/cayley.md; a value here carries the name that it has there. Table of ports and
 // parameters, latency: there; handshake: docs/rtl.md.
@@ -10,6 +10,9 @@ module glint_cayley #(
     parameter A     = 0,   // 0: the lobe; 2, 4, 8, 16, 32: the plain formula with that power, for study
     parameter S     = 17,  // fraction bits of the base and its powers, O .. 30
     parameter O     = 12,  // fraction bits of the output
+    parameter DIVIDER           = 0,  // 0 restoring, 1 radix4, 2 iterative, 3 reciprocal
+    parameter REGISTER_EVERY    = 1,  // rows of the divider in a clock
+    parameter MULTIPLIER_STAGES = 1,  // clocks of a product
     parameter TAG_W = 16   // width of the tag, at least 1
 ) (
     input  wire             clk_i,
@@ -29,16 +32,20 @@ module glint_cayley #(
     localparam POWER = A == 0 ? 8 : A;
     localparam SQUARES = POWER == 2 ? 0 : POWER == 4 ? 1 : POWER == 8 ? 2 : POWER == 16 ? 3 : 4;
 
-    // 1 correct, 1 m, 1 x, 1 num and den, S + 1 division, 2 each square, 1 the last product, 1 rounding.
-    localparam LATENCY = S + 7 + 2 * SQUARES;
-
-    wire       advance, negative;
+    // Clocks: 1 correct, 1 m, 1 x, 1 num and den, the division, 2 each square, 1 the last product, 1 rounding. Products:
+    // x, each square, the last.
+    wire       advance, start, negative;
     wire [9:0] n;
     wire [F:0] cosine, distance;
     glint_ports #(
-        .F      (F),
-        .LATENCY(LATENCY),
-        .TAG_W  (TAG_W)
+        .F                (F),
+        .LATENCY          (2 * SQUARES + 6),
+        .PRODUCTS         (SQUARES + 2),
+        .QUOTIENT_W       (S + 1),
+        .DIVIDER          (DIVIDER),
+        .REGISTER_EVERY   (REGISTER_EVERY),
+        .MULTIPLIER_STAGES(MULTIPLIER_STAGES),
+        .TAG_W            (TAG_W)
     ) ports (
         .clk_i     (clk_i),
         .rst_ni    (rst_ni),
@@ -52,6 +59,7 @@ module glint_cayley #(
         .tag_o     (tag_o),
         .clamped_o (clamped_o),
         .advance_o (advance),
+        .start_o   (start),
         .n_o       (n),
         .cosine_o  (cosine),
         .distance_o(distance),
@@ -77,21 +85,38 @@ module glint_cayley #(
     // x = m (2^F - C), -31 2^F .. 1021 2^F: F + 11 bits with the sign.
     localparam X_W = F + 11;
 
-    wire signed [X_W-1:0] m_wide = {{F{m_q[10]}}, m_q};
-    wire signed [X_W-1:0] distance_wide = {10'd0, distance_q};
+    /* verilator lint_off UNUSED */  // the top bit repeats the sign
+    wire signed [F+11:0] product;
+    /* verilator lint_on UNUSED */
+    glint_multiplier #(
+        .A_W   (11),
+        .B_W   (F + 1),
+        .SIGNED(1),
+        .STAGES(MULTIPLIER_STAGES)
+    ) multiplier (
+        .clk_i    (clk_i),
+        .enable_i (advance),
+        .a_i      (m_q),
+        .b_i      (distance_q),
+        .product_o(product)
+    );
+    wire signed [X_W-1:0] x = product[X_W-1:0];
 
-    reg signed [X_W-1:0] x_q;
-    reg            [F:0] cosine_x_q;
-    always @(posedge clk_i) begin
-        if (advance) begin
-            x_q        <= m_wide * distance_wide;
-            cosine_x_q <= cosine_m_q;
-        end
-    end
+    wire [F:0] cosine_x;
+    glint_delay #(
+        .WIDTH (F + 1),
+        .STAGES(MULTIPLIER_STAGES)
+    ) delay_cosine (
+        .clk_i   (clk_i),
+        .enable_i(advance),
+        .data_i  (cosine_m_q),
+        .data_o  (cosine_x)
+    );
 
     // num before its cut to 0 is -1021 2^F .. 2 POWER 2^F, and POWER <= 32: the width of x. num <= den. Where num is
-    // cut the answer is 0 whatever den is; it is 1 there. Elsewhere x <= 2 POWER C, with A = 0 a little more, 17.1 2^F,
-    // and den is below 4 POWER 2^F, with A = 0 at most 34.3 2^F.
+    // cut the answer is 0 whatever den is; it is 2^(D_W-1) there. Elsewhere x <= 2 POWER C, with A = 0 a little more, 17.1 2^F,
+    // and den is below 4 POWER 2^F, with A = 0 at most 34.3 2^F. Since m >= 1 - POWER, den is above POWER 2^F: at most one
+    // leading zero, with A = 0 two.
     localparam SHIFT = SQUARES + 2;  // 2 POWER = 2^SHIFT
     localparam N_W   = F + SHIFT + 1;
     localparam D_W   = A == 0 ? N_W + 1 : N_W;
@@ -99,11 +124,11 @@ module glint_cayley #(
     localparam signed [X_W-1:0] TWICE_POWER = {{(X_W - N_W) {1'b0}}, 1'b1, {(N_W - 1) {1'b0}}};
 
     // Both arms signed: with one that is not, >>> would shift zeros in.
-    wire signed [X_W-1:0] sixteenth = A == 0 ? x_q >>> 4 : $signed({X_W{1'b0}});
-    wire signed [X_W-1:0] scaled_cosine = {{(X_W - N_W) {1'b0}}, cosine_x_q, {SHIFT{1'b0}}};
+    wire signed [X_W-1:0] sixteenth = A == 0 ? x >>> 4 : $signed({X_W{1'b0}});
+    wire signed [X_W-1:0] scaled_cosine = {{(X_W - N_W) {1'b0}}, cosine_x, {SHIFT{1'b0}}};
     /* verilator lint_off UNUSED */  // where num is not cut the upper bits are 0
-    wire signed [X_W-1:0] uncut = scaled_cosine - x_q + sixteenth;
-    wire signed [X_W-1:0] sum_den = TWICE_POWER + x_q + sixteenth + (sixteenth >>> 4);
+    wire signed [X_W-1:0] uncut = scaled_cosine - x + sixteenth;
+    wire signed [X_W-1:0] sum_den = TWICE_POWER + x + sixteenth + (sixteenth >>> 4);
     /* verilator lint_on UNUSED */
     wire cut = uncut[X_W-1];
 
@@ -112,51 +137,73 @@ module glint_cayley #(
     always @(posedge clk_i) begin
         if (advance) begin
             num_q <= cut ? {N_W{1'b0}} : uncut[N_W-1:0];
-            den_q <= cut ? {{(D_W - 1) {1'b0}}, 1'b1} : sum_den[D_W-1:0];
+            den_q <= cut ? {1'b1, {(D_W - 1) {1'b0}}} : sum_den[D_W-1:0];
         end
     end
 
-    // num <= den, so r is at most 2^S: S + 1 bits, and num 2^S < den 2^(S+1) as the divider asks.
-    wire [S:0] r;
-    /* verilator lint_off PINCONNECTEMPTY */
-    glint_divider #(
-        .X_W(N_W + S),
-        .Y_W(D_W),
-        .Q_W(S + 1)
-    ) divider (
-        .clk_i      (clk_i),
-        .enable_i   (advance),
-        .dividend_i ({num_q, {S{1'b0}}}),
-        .divisor_i  (den_q),
-        .quotient_o (r),
-        .remainder_o(),
-        .divisor_o  ()
-    );
-    /* verilator lint_on PINCONNECTEMPTY */
-
-    // The power stands beside n, one clock after a transfer; r is there S + 5 clocks after it.
-    wire [2:0] power;
+    // Beside num and den: where the answer is a power of C, which one. With the iterative divider n stays where it is.
+    wire [2:0] power_n = A == 0 && n <= 10'd6 ? n[2:0] : 3'd0;
+    wire [2:0] power_den;
+    wire       start_den;
     generate
-        if (A == 0) begin : chosen
+        if (DIVIDER == 2) begin : held
+            assign power_den = power_n;
+            glint_delay #(
+                .WIDTH (1),
+                .STAGES(MULTIPLIER_STAGES + 2)
+            ) delay_start (
+                .clk_i   (clk_i),
+                .enable_i(advance),
+                .data_i  (start),
+                .data_o  (start_den)
+            );
+        end else begin : moved
+            assign start_den = start;  // and not used
             glint_delay #(
                 .WIDTH (3),
-                .STAGES(S + 4)
+                .STAGES(MULTIPLIER_STAGES + 2)
             ) delay_power (
                 .clk_i   (clk_i),
                 .enable_i(advance),
-                .data_i  (n <= 10'd6 ? n[2:0] : 3'd0),
-                .data_o  (power)
+                .data_i  (power_n),
+                .data_o  (power_den)
             );
-        end else begin : plain
-            assign power = 3'd0;
         end
     endgenerate
 
+    // num <= den, so r is at most 2^S: S + 1 bits, and num 2^S < den 2^(S+1) as the divider asks.
+    wire [S:0] r;
+    wire [2:0] power;
+    /* verilator lint_off PINCONNECTEMPTY */
+    glint_divider #(
+        .X_W           (N_W + S),
+        .Y_W           (D_W),
+        .Q_W           (S + 1),
+        .DIVIDER       (DIVIDER),
+        .REGISTER_EVERY(REGISTER_EVERY),
+        .MULTIPLIER_STAGES(MULTIPLIER_STAGES),
+        .ZEROS(A == 0 ? 2 : 1),
+        .BESIDE_W      (3)
+    ) divider (
+        .clk_i      (clk_i),
+        .enable_i   (advance),
+        .start_i    (start_den),
+        .dividend_i ({num_q, {S{1'b0}}}),
+        .divisor_i  (den_q),
+        .beside_i   (power_den),
+        .done_o     (),
+        .quotient_o (r),
+        .remainder_o(),
+        .beside_o   (power)
+    );
+    /* verilator lint_on PINCONNECTEMPTY */
+
     glint_power #(
-        .S      (S),
-        .O      (O),
-        .SQUARES(SQUARES),
-        .CHOICE (A == 0)
+        .S                (S),
+        .O                (O),
+        .SQUARES          (SQUARES),
+        .CHOICE           (A == 0),
+        .MULTIPLIER_STAGES(MULTIPLIER_STAGES)
     ) power_of_r (
         .clk_i     (clk_i),
         .enable_i  (advance),

@@ -10,6 +10,7 @@ module glint_cosine_power #(
     parameter LOG2_A = 3,   // a = 2^LOG2_A, so many squarings: 1 .. 6
     parameter S      = 16,  // fraction bits of the powers; O <= S <= F + LOG2_A
     parameter O      = 12,  // fraction bits of the output
+    parameter MULTIPLIER_STAGES = 1,  // clocks of a product
     parameter TAG_W  = 16   // width of the tag, at least 1
 ) (
     input  wire             clk_i,
@@ -26,16 +27,17 @@ module glint_cosine_power #(
     output wire             clamped_o // an input was out of range and was corrected
 );
 
-    localparam LATENCY = 2 * LOG2_A + 3;  // 1 correct, 1 product n d, 1 base, 2 a squaring
-
+    // Clocks: 1 correct, 1 product n d, 1 base, 2 a squaring. Products: n d, the squarings.
     wire       advance, negative;
     wire [9:0] n;
     wire [F:0] distance;
     /* verilator lint_off PINCONNECTEMPTY */  // the cosine itself is not needed
     glint_ports #(
-        .F      (F),
-        .LATENCY(LATENCY),
-        .TAG_W  (TAG_W)
+        .F                (F),
+        .LATENCY          (2 * LOG2_A + 3),
+        .PRODUCTS         (LOG2_A + 1),
+        .MULTIPLIER_STAGES(MULTIPLIER_STAGES),
+        .TAG_W            (TAG_W)
     ) ports (
         .clk_i     (clk_i),
         .rst_ni    (rst_ni),
@@ -49,6 +51,7 @@ module glint_cosine_power #(
         .tag_o     (tag_o),
         .clamped_o (clamped_o),
         .advance_o (advance),
+        .start_o   (),
         .n_o       (n),
         .cosine_o  (),
         .distance_o(distance),
@@ -66,25 +69,36 @@ module glint_cosine_power #(
     localparam [BASE_W-1:0] UNIT   = {{(BASE_W - 1) {1'b0}}, 1'b1};
     localparam [BASE_W-1:0] OFFSET = (UNIT << (F + LOG2_A)) + ((UNIT << CUT) >> 1);
 
-    reg    [ND_W-1:0] product_q;
+    wire   [ND_W:0] product;  // its top bit is 0
+    glint_multiplier #(
+        .A_W   (F + 1),
+        .B_W   (10),
+        .STAGES(MULTIPLIER_STAGES)
+    ) multiplier (
+        .clk_i    (clk_i),
+        .enable_i (advance),
+        .a_i      (distance),
+        .b_i      (n),
+        .product_o(product)
+    );
     /* verilator lint_off UNUSED */  // the low bits are those that rounding cuts; the high ones repeat the sign
-    wire [BASE_W-1:0] base = OFFSET - {1'b0, product_q};
+    wire [BASE_W-1:0] base = OFFSET - product;
     /* verilator lint_on UNUSED */
     reg         [S:0] p1_q;  // 0 .. 2^S, since base is at most a 2^F
     always @(posedge clk_i) begin
         if (advance) begin
-            product_q <= {{(ND_W - 10) {1'b0}}, n} * {{(ND_W - F - 1) {1'b0}}, distance};
-            p1_q      <= base[BASE_W-1] ? {(S + 1) {1'b0}} : base[CUT+S:CUT];
+            p1_q <= base[BASE_W-1] ? {(S + 1) {1'b0}} : base[CUT+S:CUT];
         end
     end
 
     // ---- p2 = rnd(p1^2, S), p4 = rnd(p2^2, S), ..., y = rnd(p^2, 2 S - O): LOG2_A squarings --------------------------
     glint_power #(
-        .S      (S),
-        .O      (O),
-        .SQUARES(LOG2_A - 1),
-        .CHOICE (0)
-    ) chain (
+        .S                (S),
+        .O                (O),
+        .SQUARES          (LOG2_A - 1),
+        .CHOICE           (0),
+        .MULTIPLIER_STAGES(MULTIPLIER_STAGES)
+    ) power_of_base (
         .clk_i     (clk_i),
         .enable_i  (advance),
         .r_i       (p1_q),

@@ -5,10 +5,12 @@
 
 module glint_delay #(
     parameter WIDTH  = 1,
-    parameter STAGES = 1  // at least 1
+    parameter STAGES = 1  // 0: a wire
 ) (
+    /* verilator lint_off UNUSED */  // with no stage
     input  wire             clk_i,
     input  wire             enable_i,
+    /* verilator lint_on UNUSED */
     input  wire [WIDTH-1:0] data_i,
     output wire [WIDTH-1:0] data_o
 );
@@ -23,9 +25,12 @@ module glint_delay #(
                 always @(posedge clk_i) if (enable_i) data_q <= stage[i-1].data_q;
             end
         end
+        if (STAGES == 0) begin : none
+            assign data_o = data_i;
+        end else begin : last
+            assign data_o = stage[STAGES-1].data_q;
+        end
     endgenerate
-
-    assign data_o = stage[STAGES-1].data_q;
 
 endmodule
 

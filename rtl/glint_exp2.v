@@ -1,4 +1,4 @@
-// glint_exp2: y = 2^-t at O fraction bits. Latency 7 clocks.
+// glint_exp2: y = 2^-t at O fraction bits. 2 MULTIPLIER_STAGES + 5 clocks.
 //
 // The arithmetic is the section "exp2" of docs/exp-log.md; a value here carries the name that it has there. The table
 // is beside the unit: its entry comes one enabled clock after the address. No valid bits and no reset: its owner
@@ -10,12 +10,13 @@ module glint_exp2 #(
     parameter I_W = 15,  // integer bits of t, at least 6
     parameter E   = 3,   // address bits, at least 2
     parameter S   = 16,  // fraction bits of t and p, above 2 E + 1
-    parameter O   = 12   // fraction bits of y, 4 .. 28
+    parameter O   = 12,  // fraction bits of y, 4 .. 28
+    parameter MULTIPLIER_STAGES = 1
 ) (
     input  wire               clk_i,
     input  wire               enable_i,
     input  wire [I_W+S-1:0]   t_i,
-    input  wire               negative_i,  // y is to be 0; six clocks after t
+    input  wire               negative_i,  // y is to be 0; beside the last step
     output wire [E-1:0]       address_o,
     input  wire [3*S-3*E+5:0] entry_i,     // {c0, c1, c2}
     output wire [O:0]         y_o          // 0 .. 2^O
@@ -47,7 +48,8 @@ module glint_exp2 #(
         .G   (2),
         .V_W (S + 1),
         .C1_W(C1_W),
-        .C2_W(C2_W)
+        .C2_W(C2_W),
+        .MULTIPLIER_STAGES(MULTIPLIER_STAGES)
     ) parabola (
         .clk_i   (clk_i),
         .enable_i(enable_i),
@@ -62,7 +64,7 @@ module glint_exp2 #(
     wire       nothing;
     glint_delay #(
         .WIDTH (6),
-        .STAGES(5)
+        .STAGES(2 * MULTIPLIER_STAGES + 3)
     ) delay (
         .clk_i   (clk_i),
         .enable_i(enable_i),

@@ -12,6 +12,7 @@ module glint_gauss #(
     parameter E     = 3,   // address bits of exp2
     parameter S     = 16,  // fraction bits of t and p
     parameter O     = 12,  // fraction bits of the output
+    parameter MULTIPLIER_STAGES = 1,  // clocks of a product
     parameter TAG_W = 16   // width of the tag, at least 1
 ) (
     input  wire             clk_i,
@@ -33,16 +34,17 @@ module glint_gauss #(
     input  wire [3*S-3*E+5:0] exp2_entry_i
 );
 
-    localparam LATENCY = 15;  // 1 correct, 5 v, 2 product with n, 7 exp2
-
+    // Clocks: 1 correct, 5 v, 2 product with n, 7 exp2. Products: two in each parabola, n v.
     wire       advance, negative;
     wire [9:0] n;
     wire [F:0] d;
     /* verilator lint_off PINCONNECTEMPTY */
     glint_ports #(
-        .F      (F),
-        .LATENCY(LATENCY),
-        .TAG_W  (TAG_W)
+        .F                (F),
+        .LATENCY          (15),
+        .PRODUCTS         (5),
+        .MULTIPLIER_STAGES(MULTIPLIER_STAGES),
+        .TAG_W            (TAG_W)
     ) ports (
         .clk_i     (clk_i),
         .rst_ni    (rst_ni),
@@ -56,6 +58,7 @@ module glint_gauss #(
         .tag_o     (tag_o),
         .clamped_o (clamped_o),
         .advance_o (advance),
+        .start_o   (),
         .n_o       (n),
         .cosine_o  (),
         .distance_o(d),
@@ -82,7 +85,8 @@ module glint_gauss #(
         .G   (0),
         .V_W (L + 1),
         .C1_W(C1_W),
-        .C2_W(C2_W)
+        .C2_W(C2_W),
+        .MULTIPLIER_STAGES(MULTIPLIER_STAGES)
     ) parabola (
         .clk_i   (clk_i),
         .enable_i(advance),
@@ -96,7 +100,7 @@ module glint_gauss #(
     wire [9:0] n_late;
     glint_delay #(
         .WIDTH (10),
-        .STAGES(5)
+        .STAGES(2 * MULTIPLIER_STAGES + 3)
     ) delay_n (
         .clk_i   (clk_i),
         .enable_i(advance),
@@ -107,15 +111,25 @@ module glint_gauss #(
     // n v <= 1023 * 1.78 * 2^L < 1822 2^L, also with the half that rounds it: 11 integer bits. t = rnd(n v, L - S).
     localparam CUT = L - S;
 
-    reg [L+10:0] product_q;
-    reg [S+10:0] t_q;
+    wire [L+10:0] product;
+    reg  [S+10:0] t_q;
+    glint_multiplier #(
+        .A_W   (L + 1),
+        .B_W   (10),
+        .STAGES(MULTIPLIER_STAGES)
+    ) multiplier (
+        .clk_i    (clk_i),
+        .enable_i (advance),
+        .a_i      (v),
+        .b_i      (n_late),
+        .product_o(product)
+    );
     /* verilator lint_off UNUSED */  // the low bits of the sum are those that rounding cuts
-    wire [L+10:0] sum = product_q + {{(L + 11 - CUT) {1'b0}}, 1'b1, {(CUT - 1) {1'b0}}};
+    wire [L+10:0] sum = product + {{(L + 11 - CUT) {1'b0}}, 1'b1, {(CUT - 1) {1'b0}}};
     /* verilator lint_on UNUSED */
     always @(posedge clk_i) begin
         if (advance) begin
-            product_q <= {{(L + 1) {1'b0}}, n_late} * {10'd0, v};
-            t_q       <= sum[L+10:CUT];
+            t_q <= sum[L+10:CUT];
         end
     end
 
@@ -123,7 +137,8 @@ module glint_gauss #(
         .I_W(11),
         .E  (E),
         .S  (S),
-        .O  (O)
+        .O  (O),
+        .MULTIPLIER_STAGES(MULTIPLIER_STAGES)
     ) exp2 (
         .clk_i     (clk_i),
         .enable_i  (advance),

@@ -1,4 +1,4 @@
-// glint_log2: u = -log2(C / 2^F) at L fraction bits. Latency 8 clocks.
+// glint_log2: u = -log2(C / 2^F) at L fraction bits. 2 MULTIPLIER_STAGES + 6 clocks.
 //
 // The arithmetic is the section "log2" of docs/exp-log.md; a value here carries the name that it has there. The table
 // is beside the unit: its entry comes one enabled clock after the address. No valid bits and no reset: its owner
@@ -10,7 +10,8 @@ module glint_log2 #(
     parameter F   = 18,  // fraction bits of C, 8 .. 30
     parameter T   = 5,   // address bits, 4 .. F - CUT - 2
     parameter L   = 25,  // fraction bits of u, above F - CUT and above 2 T
-    parameter CUT = 0    // low bits of the normalised C that are dropped
+    parameter CUT = 0,   // low bits of the normalised C that are dropped
+    parameter MULTIPLIER_STAGES = 1
 ) (
     input  wire             clk_i,
     input  wire             enable_i,
@@ -61,7 +62,8 @@ module glint_log2 #(
         .G   (0),
         .V_W (L),
         .C1_W(C1_W),
-        .C2_W(C2_W)
+        .C2_W(C2_W),
+        .MULTIPLIER_STAGES(MULTIPLIER_STAGES)
     ) parabola (
         .clk_i   (clk_i),
         .enable_i(enable_i),
@@ -76,7 +78,7 @@ module glint_log2 #(
     wire       none;
     glint_delay #(
         .WIDTH (6),
-        .STAGES(6)
+        .STAGES(2 * MULTIPLIER_STAGES + 4)
     ) delay (
         .clk_i   (clk_i),
         .enable_i(enable_i),

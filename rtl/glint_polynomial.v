@@ -1,4 +1,4 @@
-// glint_polynomial: the specular highlight as a polynomial of degree 2 .. 6 in fixed point, one result a clock.
+// glint_polynomial: the specular highlight as a polynomial of degree 2 .. 6 in fixed point.
 //
 // The arithmetic is docs/lobes/polynomial.md; a value here carries the name that it has there. Do not instantiate this
 // module by hand: I and COEFFICIENTS come from the model (`glint emit`), which writes one wrapper per profile
@@ -15,6 +15,9 @@ module glint_polynomial #(
     parameter VARIABLE = 1,   // 0: s = c / (n - n c + c), 1: t = (1 + c) / ((1 + c) + 2 n (1 - c))
     parameter DEGREE   = 3,   // 2 .. 6
     parameter TAG_W    = 16,  // width of the tag, at least 1
+    parameter DIVIDER           = 0,  // 0 restoring, 1 radix4, 2 iterative, 3 reciprocal
+    parameter REGISTER_EVERY    = 1,  // rows of the divider in a clock
+    parameter MULTIPLIER_STAGES = 1,  // clocks of a product
     // The coefficients at K fraction bits, signed, K + I + 1 bits each, that of the power i in field i.
     parameter [(DEGREE+1)*(K+I+1)-1:0] COEFFICIENTS = 0
 ) (
@@ -41,15 +44,19 @@ module glint_polynomial #(
     end
 `endif
 
-    localparam LATENCY = S + 4 + 2 * DEGREE;  // 1 correct, S + 3 quotient, 2 a Horner step
-
-    wire       advance, negative;
+    // Clocks: 1 correct, 2 divisor, the division, 2 a Horner step. Products: n d, one a Horner step.
+    wire       advance, start, negative;
     wire [9:0] n;
     wire [F:0] cosine, distance;
     glint_ports #(
-        .F      (F),
-        .LATENCY(LATENCY),
-        .TAG_W  (TAG_W)
+        .F                (F),
+        .LATENCY          (3 + 2 * DEGREE),
+        .PRODUCTS         (1 + DEGREE),
+        .QUOTIENT_W       (S + 1),
+        .DIVIDER          (DIVIDER),
+        .REGISTER_EVERY   (REGISTER_EVERY),
+        .MULTIPLIER_STAGES(MULTIPLIER_STAGES),
+        .TAG_W            (TAG_W)
     ) ports (
         .clk_i     (clk_i),
         .rst_ni    (rst_ni),
@@ -63,99 +70,73 @@ module glint_polynomial #(
         .tag_o     (tag_o),
         .clamped_o (clamped_o),
         .advance_o (advance),
+        .start_o   (start),
         .n_o       (n),
         .cosine_o  (cosine),
         .distance_o(distance),
         .negative_o(negative)
     );
 
-    // ---- Horner: h<j> = k<DEGREE-j> + rnd(h<j-1> q, S), h0 = k<DEGREE> --------------------------------------------
-    // I is such that each h, and the last sum with the half that rounds it, is below 2^I in magnitude as a real number:
-    // the model shows it for these coefficients. With 0 <= q <= 1 the products are too: K + I + 1 bits with the sign, S
-    // more before the cut. A step is a product, a register, and a sum:
-    // k + rnd(x, S) = floor((x + k 2^S + 2^(S-1)) / 2^S).
-    localparam H_W   = K + I + 1;
-    localparam SUM_W = H_W + S;
-
-    // Fields j: h<j>, and the quotient that travels beside it.
-    wire   [DEGREE*H_W-1:0] h;
-    wire [DEGREE*(S+1)-1:0] q;
-    assign h[H_W-1:0] = COEFFICIENTS[DEGREE*H_W+:H_W];
-
-    genvar j;
+    wire       done;
+    wire [S:0] quotient;
     generate
         if (VARIABLE == 0) begin : schlick
             glint_ratio #(
-                .F(F),
-                .S(S)
+                .F                (F),
+                .S                (S),
+                .DIVIDER          (DIVIDER),
+                .REGISTER_EVERY   (REGISTER_EVERY),
+                .MULTIPLIER_STAGES(MULTIPLIER_STAGES)
             ) ratio (
                 .clk_i     (clk_i),
                 .enable_i  (advance),
+                .start_i   (start),
                 .n_i       (n),
                 .cosine_i  (cosine),
                 .distance_i(distance),
-                .quotient_o(q[S:0])
+                .done_o    (done),
+                .quotient_o(quotient)
             );
         end else begin : symmetric
             glint_ratio_symmetric #(
-                .F(F),
-                .S(S)
+                .F                (F),
+                .S                (S),
+                .DIVIDER          (DIVIDER),
+                .REGISTER_EVERY   (REGISTER_EVERY),
+                .MULTIPLIER_STAGES(MULTIPLIER_STAGES)
             ) ratio (
                 .clk_i     (clk_i),
                 .enable_i  (advance),
+                .start_i   (start),
                 .n_i       (n),
                 .cosine_i  (cosine),
                 .distance_i(distance),
-                .quotient_o(q[S:0])
+                .done_o    (done),
+                .quotient_o(quotient)
             );
-        end
-
-        for (j = 1; j < DEGREE; j = j + 1) begin : step
-            wire [H_W-1:0] operand = h[(j-1)*H_W+:H_W];
-            wire     [S:0] factor = q[(j-1)*(S+1)+:S+1];
-
-            reg [SUM_W-1:0] product_q;
-            reg   [H_W-1:0] h_q;
-            reg       [S:0] factor_q, q_q;  // beside the product, beside h
-            /* verilator lint_off UNUSED */  // the low bits of the sum are those that rounding cuts
-            wire [SUM_W-1:0] sum = product_q + {COEFFICIENTS[(DEGREE-j)*H_W+:H_W], 1'b1, {(S - 1) {1'b0}}};
-            /* verilator lint_on UNUSED */
-            always @(posedge clk_i) begin
-                if (advance) begin
-                    product_q <= {{S{operand[H_W-1]}}, operand} * {{(SUM_W - S - 1) {1'b0}}, factor};
-                    factor_q  <= factor;
-                    h_q       <= sum[SUM_W-1:S];
-                    q_q       <= factor_q;
-                end
-            end
-            assign h[j*H_W+:H_W]     = h_q;
-            assign q[j*(S+1)+:S+1] = q_q;
         end
     endgenerate
 
-    // ---- r = rnd(h q + k0 2^S, S + K - O), y = min(2^O, max(0, r)) ------------------------------------------------
-    localparam CUT = S + K - O;  // bits dropped, at least O, since O <= S and O <= K
-    localparam R_W = I + O + 1;  // what is left of SUM_W bits
-
-    wire [H_W-1:0] last   = h[(DEGREE-1)*H_W+:H_W];
-    wire     [S:0] factor = q[(DEGREE-1)*(S+1)+:S+1];
-
-    reg  [SUM_W-1:0] product_q;
-    /* verilator lint_off UNUSED */  // the low bits of the sum are those that rounding cuts
-    wire [SUM_W-1:0] sum = product_q + {COEFFICIENTS[H_W-1:0], {S{1'b0}}}
-                         + {{(SUM_W - CUT) {1'b0}}, 1'b1, {(CUT - 1) {1'b0}}};
-    /* verilator lint_on UNUSED */
-    wire   [R_W-1:0] r = sum[SUM_W-1:CUT];
-    wire             below = r[R_W-1];
-    wire             above = ~below & (|r[R_W-2:O]);  // r >= 2^O, where y is 2^O
-    reg        [O:0] y_q;
-    always @(posedge clk_i) begin
-        if (advance) begin
-            product_q <= {{S{last[H_W-1]}}, last} * {{(SUM_W - S - 1) {1'b0}}, factor};
-            y_q       <= negative | below ? {(O + 1) {1'b0}} : above ? {1'b1, {O{1'b0}}} : {1'b0, r[O-1:0]};
-        end
-    end
-    assign y_o = y_q;
+    // I is such that each Horner value, and the last sum with the half that rounds it, is below 2^I in magnitude: the
+    // model shows it for these coefficients.
+    glint_horner #(
+        .S                (S),
+        .K                (K),
+        .O                (O),
+        .I                (I),
+        .DEGREE           (DEGREE),
+        .CLAMP            (1),
+        .ITERATIVE        (DIVIDER == 2),
+        .MULTIPLIER_STAGES(MULTIPLIER_STAGES),
+        .COEFFICIENTS     (COEFFICIENTS)
+    ) horner (
+        .clk_i     (clk_i),
+        .enable_i  (advance),
+        .start_i   (done),
+        .quotient_i(quotient),
+        .negative_i(negative),
+        .y_o       (y_o)
+    );
 
 endmodule
 

@@ -1,4 +1,5 @@
-// glint_power: a power of a fraction r = 0 .. 1 by repeated squaring. Latency 2 SQUARES + 2 clocks.
+// glint_power: a power of a fraction r = 0 .. 1 by repeated squaring. (SQUARES + 1) times
+// MULTIPLIER_STAGES + 1 clocks.
 //
 //   r2 = rnd(r * r, S), r4 = rnd(r2 * r2, S), ... SQUARES of them, and y = rnd(left * right, 2 S - O) with
 //   power_i   0          1        2      3       4        5       6        7
@@ -14,13 +15,14 @@ module glint_power #(
     parameter S       = 17,  // fraction bits of r and its powers
     parameter O       = 12,  // fraction bits of y; O < 2 S
     parameter SQUARES = 2,   // 0 .. 5; at least 2 with CHOICE
-    parameter CHOICE  = 1    // 0: power_i is not read and counts as 0
+    parameter CHOICE  = 1,   // 0: power_i is not read and counts as 0
+    parameter MULTIPLIER_STAGES = 1
 ) (
     input  wire       clk_i,
     input  wire       enable_i,
     input  wire [S:0] r_i,        // 0 .. 2^S
     input  wire [2:0] power_i,    // beside r_i
-    input  wire       negative_i, // y is 0: beside the last step, 2 SQUARES + 1 clocks after r_i
+    input  wire       negative_i, // y is 0: beside the last step
     output wire [O:0] y_o         // 0 .. 2^O
 );
 
@@ -42,8 +44,9 @@ module glint_power #(
             end else begin : rest
                 wire [S:0] r2_late, r4_late;
                 glint_square #(
-                    .S(S),
-                    .R(S)
+                    .S                (S),
+                    .R                (S),
+                    .MULTIPLIER_STAGES(MULTIPLIER_STAGES)
                 ) square (
                     .clk_i   (clk_i),
                     .enable_i(enable_i),
@@ -53,7 +56,7 @@ module glint_power #(
                 if (CHOICE != 0) begin : late
                     glint_delay #(
                         .WIDTH (3 * S + 6),
-                        .STAGES(2)
+                        .STAGES(MULTIPLIER_STAGES + 1)
                     ) delay (
                         .clk_i   (clk_i),
                         .enable_i(enable_i),
@@ -92,18 +95,25 @@ module glint_power #(
     // The product is at most 2^(2S); with the half that rounds it still fits 2 S + 1 bits.
     localparam CUT = 2 * S - O;
 
-    reg [2*S:0] product_q;
-    /* verilator lint_off UNUSED */  // the low bits of the sum are those that rounding cuts
-    wire [2*S:0] sum = product_q + {{(2 * S + 1 - CUT) {1'b0}}, 1'b1, {(CUT - 1) {1'b0}}};
+    /* verilator lint_off UNUSED */  // the low bits of the sum are those that rounding cuts; the product's top bit is 0
+    wire [2*S+1:0] product;
+    wire   [2*S:0] sum = product[2*S:0] + {{(2 * S + 1 - CUT) {1'b0}}, 1'b1, {(CUT - 1) {1'b0}}};
     /* verilator lint_on UNUSED */
 
+    glint_multiplier #(
+        .A_W   (S + 1),
+        .B_W   (S + 1),
+        .STAGES(MULTIPLIER_STAGES)
+    ) multiplier (
+        .clk_i    (clk_i),
+        .enable_i (enable_i),
+        .a_i      (left),
+        .b_i      (right),
+        .product_o(product)
+    );
+
     reg [O:0] y_q;
-    always @(posedge clk_i) begin
-        if (enable_i) begin
-            product_q <= {{S{1'b0}}, left} * {{S{1'b0}}, right};
-            y_q       <= negative_i ? {(O + 1) {1'b0}} : sum[2*S:CUT];
-        end
-    end
+    always @(posedge clk_i) if (enable_i) y_q <= negative_i ? {(O + 1) {1'b0}} : sum[2*S:CUT];
     assign y_o = y_q;
 
 endmodule

@@ -11,6 +11,7 @@ module glint_quadratic #(
     parameter S     = 13,  // fraction bits of w; O <= S
     parameter K     = 14,  // fraction bits of the constant; S <= F + K
     parameter O     = 12,  // fraction bits of the output
+    parameter MULTIPLIER_STAGES = 1,  // clocks of a product
     parameter TAG_W = 16,  // width of the tag, at least 1
     // 0.786 at K fraction bits. The widths below rest on its being below 1, so no other is legal.
     parameter [K-1:0] SLOPE = 0
@@ -38,15 +39,17 @@ module glint_quadratic #(
     end
 `endif
 
-    localparam LATENCY = 6;  // 1 correct, 1 slope n, 1 times d, 1 w, 1 times C, 1 rounding
-
+    // Clocks: 1 correct, 1 slope n, 1 times d, 1 w, 1 times C, 1 rounding. Products: slope n, times d, times C.
     wire       advance, negative;
     wire [9:0] n;
     wire [F:0] cosine, distance;
+    /* verilator lint_off PINCONNECTEMPTY */
     glint_ports #(
-        .F      (F),
-        .LATENCY(LATENCY),
-        .TAG_W  (TAG_W)
+        .F                (F),
+        .LATENCY          (6),
+        .PRODUCTS         (3),
+        .MULTIPLIER_STAGES(MULTIPLIER_STAGES),
+        .TAG_W            (TAG_W)
     ) ports (
         .clk_i     (clk_i),
         .rst_ni    (rst_ni),
@@ -60,21 +63,63 @@ module glint_quadratic #(
         .tag_o     (tag_o),
         .clamped_o (clamped_o),
         .advance_o (advance),
+        .start_o   (),
         .n_o       (n),
         .cosine_o  (cosine),
         .distance_o(distance),
         .negative_o(negative)
     );
+    /* verilator lint_on PINCONNECTEMPTY */
 
     // ---- scaled = slope n, and its product with d = 2^F - C -------------------------------------------------------
     // slope < 2^K and n < 2^10: K + 10 bits; times d <= 2^F: below 2^(F+K+10).
     localparam N_W = K + 10;
     localparam P_W = F + K + 10;
 
-    reg [N_W-1:0] scaled_q;
-    reg [P_W-1:0] product_q;
-    reg     [F:0] cosine_1_q, cosine_2_q, cosine_3_q;  // beside scaled, product, w
-    reg     [F:0] distance_1_q;
+    wire [N_W-1:0] scaled;
+    wire [P_W:0] product;  // its top bit is 0
+    wire     [F:0] distance_1;  // beside scaled
+    wire     [F:0] cosine_3;    // beside w
+    glint_multiplier #(
+        .A_W   (K),
+        .B_W   (10),
+        .STAGES(MULTIPLIER_STAGES)
+    ) multiplier_1 (
+        .clk_i    (clk_i),
+        .enable_i (advance),
+        .a_i      (SLOPE),
+        .b_i      (n),
+        .product_o(scaled)
+    );
+    glint_multiplier #(
+        .A_W   (N_W),
+        .B_W   (F + 1),
+        .STAGES(MULTIPLIER_STAGES)
+    ) multiplier_2 (
+        .clk_i    (clk_i),
+        .enable_i (advance),
+        .a_i      (scaled),
+        .b_i      (distance_1),
+        .product_o(product)
+    );
+    glint_delay #(
+        .WIDTH (F + 1),
+        .STAGES(MULTIPLIER_STAGES)
+    ) delay_distance (
+        .clk_i   (clk_i),
+        .enable_i(advance),
+        .data_i  (distance),
+        .data_o  (distance_1)
+    );
+    glint_delay #(
+        .WIDTH (F + 1),
+        .STAGES(2 * MULTIPLIER_STAGES + 1)
+    ) delay_cosine (
+        .clk_i   (clk_i),
+        .enable_i(advance),
+        .data_i  (cosine),
+        .data_o  (cosine_3)
+    );
 
     // ---- w = rnd(line, F + K - S), line = max(0, 2^(F+K) - scaled d) ----------------------------------------------
     // Between -2^(F+K+10) and 2^(F+K), with the half that rounds it below 2^(F+K+1): one bit more for the sign. Rounded
@@ -86,7 +131,7 @@ module glint_quadratic #(
     localparam [LINE_W-1:0] OFFSET = (UNIT << (F + K)) + ((UNIT << CUT) >> 1);
 
     /* verilator lint_off UNUSED */  // the low bits are those that rounding cuts; the high ones repeat the sign
-    wire [LINE_W-1:0] line = OFFSET - {1'b0, product_q};
+    wire [LINE_W-1:0] line = OFFSET - product;
     /* verilator lint_on UNUSED */
     reg         [S:0] w_q;  // 0 .. 2^S, since line is at most 2^(F+K)
 
@@ -95,26 +140,27 @@ module glint_quadratic #(
     localparam Y_W   = F + S + 1;
     localparam CUT_Y = F + S - O;  // at least F, since O <= S
 
-    reg  [Y_W-1:0] product_y_q;
-    /* verilator lint_off UNUSED */  // the low bits of the sum are those that rounding cuts
-    wire [Y_W-1:0] sum = product_y_q + {{(Y_W - CUT_Y) {1'b0}}, 1'b1, {(CUT_Y - 1) {1'b0}}};
+    /* verilator lint_off UNUSED */  // the low bits of the sum are those that rounding cuts; the product's top bit is 0
+    wire   [Y_W:0] product_y;
+    wire [Y_W-1:0] sum = product_y[Y_W-1:0] + {{(Y_W - CUT_Y) {1'b0}}, 1'b1, {(CUT_Y - 1) {1'b0}}};
     /* verilator lint_on UNUSED */
     reg      [O:0] y_q;
 
+    glint_multiplier #(
+        .A_W   (F + 1),
+        .B_W   (S + 1),
+        .STAGES(MULTIPLIER_STAGES)
+    ) multiplier_3 (
+        .clk_i    (clk_i),
+        .enable_i (advance),
+        .a_i      (cosine_3),
+        .b_i      (w_q),
+        .product_o(product_y)
+    );
+
     always @(posedge clk_i) begin
         if (advance) begin
-            scaled_q     <= {10'b0, SLOPE} * {{K{1'b0}}, n};
-            cosine_1_q   <= cosine;
-            distance_1_q <= distance;
-
-            product_q  <= {{F{1'b0}}, scaled_q} * {{(P_W - F - 1) {1'b0}}, distance_1_q};
-            cosine_2_q <= cosine_1_q;
-
-            w_q        <= line[LINE_W-1] ? {(S + 1) {1'b0}} : line[CUT+S:CUT];
-            cosine_3_q <= cosine_2_q;
-
-            product_y_q <= {{S{1'b0}}, cosine_3_q} * {{F{1'b0}}, w_q};
-
+            w_q <= line[LINE_W-1] ? {(S + 1) {1'b0}} : line[CUT+S:CUT];
             y_q <= negative ? {(O + 1) {1'b0}} : sum[F+S:CUT_Y];
         end
     end

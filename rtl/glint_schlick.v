@@ -1,4 +1,4 @@
-// glint_schlick: Schlick's rational approximation of the specular highlight in fixed point, one result a clock.
+// glint_schlick: Schlick's rational approximation of the specular highlight in fixed point.
 //
 // The arithmetic is the section `schlick` of docs/contract.md; a value here carries the name that it has there. Table of
 // ports and parameters, latency, handshake: docs/rtl.md.
@@ -8,6 +8,9 @@
 module glint_schlick #(
     parameter F     = 18,  // fraction bits of the cosine
     parameter O     = 12,  // fraction bits of the output
+    parameter DIVIDER           = 0,  // 0 restoring, 1 radix4, 2 iterative, 3 reciprocal
+    parameter REGISTER_EVERY    = 1,  // rows of the divider in a clock
+    parameter MULTIPLIER_STAGES = 1,  // clocks of a product
     parameter TAG_W = 16   // width of the tag, at least 1
 ) (
     input  wire             clk_i,
@@ -24,15 +27,19 @@ module glint_schlick #(
     output wire             clamped_o // an input was out of range and was corrected
 );
 
-    localparam LATENCY = O + 6;  // 1 correct, O + 4 quotient at O + 1 bits, 1 rounding
-
-    wire       advance, negative;
+    // Clocks: 1 correct, 2 divisor, the division at O + 1 bits, 1 rounding. Products: n d.
+    wire       advance, start, negative;
     wire [9:0] n;
     wire [F:0] cosine, distance;
     glint_ports #(
-        .F      (F),
-        .LATENCY(LATENCY),
-        .TAG_W  (TAG_W)
+        .F                (F),
+        .LATENCY          (4),
+        .PRODUCTS         (1),
+        .QUOTIENT_W       (O + 2),
+        .DIVIDER          (DIVIDER),
+        .REGISTER_EVERY   (REGISTER_EVERY),
+        .MULTIPLIER_STAGES(MULTIPLIER_STAGES),
+        .TAG_W            (TAG_W)
     ) ports (
         .clk_i     (clk_i),
         .rst_ni    (rst_ni),
@@ -46,6 +53,7 @@ module glint_schlick #(
         .tag_o     (tag_o),
         .clamped_o (clamped_o),
         .advance_o (advance),
+        .start_o   (start),
         .n_o       (n),
         .cosine_o  (cosine),
         .distance_o(distance),
@@ -53,17 +61,24 @@ module glint_schlick #(
     );
 
     wire [O+1:0] quotient;
+    /* verilator lint_off PINCONNECTEMPTY */
     glint_ratio #(
-        .F(F),
-        .S(O + 1)
+        .F                (F),
+        .S                (O + 1),
+        .DIVIDER          (DIVIDER),
+        .REGISTER_EVERY   (REGISTER_EVERY),
+        .MULTIPLIER_STAGES(MULTIPLIER_STAGES)
     ) ratio (
         .clk_i     (clk_i),
         .enable_i  (advance),
+        .start_i   (start),
         .n_i       (n),
         .cosine_i  (cosine),
         .distance_i(distance),
+        .done_o    (),
         .quotient_o(quotient)
     );
+    /* verilator lint_on PINCONNECTEMPTY */
 
     // y = rnd(quotient, 1), at most 2^O since the quotient is at most 2^(O+1).
     reg [O:0] y_q;

@@ -13,6 +13,7 @@ module glint_spherical_gaussian #(
     parameter O     = 12,  // fraction bits of the output
     parameter A     = 0,   // a = log2 e at K bits: 1.44
     parameter B     = 0,   // b = 0.775 log2 e at K bits: 1.12
+    parameter MULTIPLIER_STAGES = 1,  // clocks of a product
     parameter TAG_W = 16   // width of the tag, at least 1
 ) (
     input  wire             clk_i,
@@ -32,16 +33,17 @@ module glint_spherical_gaussian #(
     input  wire [3*S-3*E+5:0] exp2_entry_i
 );
 
-    localparam LATENCY = 12;  // 1 correct, 2 g, 2 product with 1 - c, 7 exp2
-
+    // Clocks: 1 correct, 2 g, 2 product with 1 - c, 7 exp2. Products: n a, g d, two in the parabola.
     wire       advance, negative;
     wire [9:0] n;
     wire [F:0] distance;
     /* verilator lint_off PINCONNECTEMPTY */
     glint_ports #(
-        .F      (F),
-        .LATENCY(LATENCY),
-        .TAG_W  (TAG_W)
+        .F                (F),
+        .LATENCY          (12),
+        .PRODUCTS         (4),
+        .MULTIPLIER_STAGES(MULTIPLIER_STAGES),
+        .TAG_W            (TAG_W)
     ) ports (
         .clk_i     (clk_i),
         .rst_ni    (rst_ni),
@@ -55,6 +57,7 @@ module glint_spherical_gaussian #(
         .tag_o     (tag_o),
         .clamped_o (clamped_o),
         .advance_o (advance),
+        .start_o   (),
         .n_o       (n),
         .cosine_o  (),
         .distance_o(distance),
@@ -67,18 +70,29 @@ module glint_spherical_gaussian #(
     localparam [K:0] A_CODE = A;
     localparam [K:0] B_CODE = B;
 
-    reg [K+10:0] product_q, g_q;
+    wire [K+10:0] product;
+    reg  [K+10:0] g_q;
+    glint_multiplier #(
+        .A_W   (K + 1),
+        .B_W   (10),
+        .STAGES(MULTIPLIER_STAGES)
+    ) multiplier_a (
+        .clk_i    (clk_i),
+        .enable_i (advance),
+        .a_i      (A_CODE),
+        .b_i      (n),
+        .product_o(product)
+    );
     always @(posedge clk_i) begin
         if (advance) begin
-            product_q <= {{(K + 1) {1'b0}}, n} * {10'd0, A_CODE};
-            g_q       <= product_q + {10'd0, B_CODE};
+            g_q <= product + {10'd0, B_CODE};
         end
     end
 
     wire [F:0] d;
     glint_delay #(
         .WIDTH (F + 1),
-        .STAGES(2)
+        .STAGES(MULTIPLIER_STAGES + 1)
     ) delay_distance (
         .clk_i   (clk_i),
         .enable_i(advance),
@@ -89,15 +103,26 @@ module glint_spherical_gaussian #(
     // g d <= g 2^F, also with the half that rounds it below 1509 2^(K+F). t = rnd(g d, K + F - S).
     localparam CUT = K + F - S;
 
-    reg [K+F+10:0] scaled_q;
-    reg   [S+10:0] t_q;
-    /* verilator lint_off UNUSED */  // the low bits of the sum are those that rounding cuts
-    wire [K+F+10:0] sum = scaled_q + {{(K + F + 11 - CUT) {1'b0}}, 1'b1, {(CUT - 1) {1'b0}}};
+    reg    [S+10:0] t_q;
+    /* verilator lint_off UNUSED */  // the low bits of the sum are those that rounding cuts; the product's top bit is 0
+    wire [K+F+11:0] scaled;
+    wire [K+F+10:0] sum = scaled[K+F+10:0] + {{(K + F + 11 - CUT) {1'b0}}, 1'b1, {(CUT - 1) {1'b0}}};
     /* verilator lint_on UNUSED */
+    glint_multiplier #(
+        .A_W   (K + 11),
+        .B_W   (F + 1),
+        .STAGES(MULTIPLIER_STAGES)
+    ) multiplier_g (
+        .clk_i    (clk_i),
+        .enable_i (advance),
+        .a_i      (g_q),
+        .b_i      (d),
+        .product_o(scaled)
+    );
+
     always @(posedge clk_i) begin
         if (advance) begin
-            scaled_q <= {{F{1'b0}}, g_q} * {{(K + 10) {1'b0}}, d};
-            t_q      <= sum[K+F+10:CUT];
+            t_q <= sum[K+F+10:CUT];
         end
     end
 
@@ -105,7 +130,8 @@ module glint_spherical_gaussian #(
         .I_W(11),
         .E  (E),
         .S  (S),
-        .O  (O)
+        .O  (O),
+        .MULTIPLIER_STAGES(MULTIPLIER_STAGES)
     ) exp2 (
         .clk_i     (clk_i),
         .enable_i  (advance),

@@ -11,6 +11,7 @@ module glint_taylor #(
     parameter E     = 24,  // fraction bits of e, max(F, S) .. 2 F
     parameter S     = 18,  // fraction bits of the base and its powers, O .. 30
     parameter O     = 12,  // fraction bits of the output
+    parameter MULTIPLIER_STAGES = 1,  // clocks of a product
     parameter TAG_W = 16   // width of the tag, at least 1
 ) (
     input  wire             clk_i,
@@ -30,16 +31,18 @@ module glint_taylor #(
     localparam LOG_A   = A == 8 ? 3 : A == 16 ? 4 : 5;
     localparam SQUARES = LOG_A - 1;
 
-    // 1 correct, 1 d^2, 1 e, 1 x, 1 v, 2 square of v, 1 base, 2 each squaring, 1 last product, 1 rounding.
-    localparam LATENCY = 2 * SQUARES + 10;
-
+    // Clocks: 1 correct, 1 d^2, 1 e, 1 x, 1 v, 2 square of v, 1 base, 2 each squaring, 1 last product, 1 rounding.
+    // Products: d^2, x, v^2, each squaring, the last.
     wire       advance, negative;
     wire [9:0] n;
     wire [F:0] cosine, distance;
+    /* verilator lint_off PINCONNECTEMPTY */
     glint_ports #(
-        .F      (F),
-        .LATENCY(LATENCY),
-        .TAG_W  (TAG_W)
+        .F                (F),
+        .LATENCY          (2 * SQUARES + 10),
+        .PRODUCTS         (SQUARES + 4),
+        .MULTIPLIER_STAGES(MULTIPLIER_STAGES),
+        .TAG_W            (TAG_W)
     ) ports (
         .clk_i     (clk_i),
         .rst_ni    (rst_ni),
@@ -53,48 +56,82 @@ module glint_taylor #(
         .tag_o     (tag_o),
         .clamped_o (clamped_o),
         .advance_o (advance),
+        .start_o   (),
         .n_o       (n),
         .cosine_o  (cosine),
         .distance_o(distance),
         .negative_o(negative)
     );
+    /* verilator lint_on PINCONNECTEMPTY */
 
     // e = rnd(8 d 2^F + 5 d^2, 2 F + 3 - E) for d = 2^F - C. The sum is at most 13 2^(2F), with the half that rounds it
     // below 2^(2F+4); e is at most 1.625 2^E.
     localparam E_CUT = 2 * F + 3 - E;
 
-    reg [2*F:0] square_d_q;
-    reg   [F:0] distance_d_q;
-    reg   [9:0] n_d_q;
-    wire [2*F+3:0] square_wide = {3'd0, square_d_q};
-    /* verilator lint_off UNUSED */  // the low bits are those that rounding cuts; the top bit is 0
-    wire [2*F+3:0] sum_e = {distance_d_q, {(F + 3) {1'b0}}} + (square_wide << 2) + square_wide +
+    wire       [F:0] distance_d;  // beside d^2
+    wire       [9:0] n_e;         // beside e
+    /* verilator lint_off UNUSED */  // the low bits are those that rounding cuts; the top bits are 0
+    wire [2*F+1:0] square_d;
+    wire [2*F+3:0] square_wide = {2'd0, square_d};
+    wire [2*F+3:0] sum_e = {distance_d, {(F + 3) {1'b0}}} + (square_wide << 2) + square_wide +
                            {{(2 * F + 4 - E_CUT) {1'b0}}, 1'b1, {(E_CUT - 1) {1'b0}}};
     /* verilator lint_on UNUSED */
 
+    glint_multiplier #(
+        .A_W   (F + 1),
+        .B_W   (F + 1),
+        .STAGES(MULTIPLIER_STAGES)
+    ) multiplier_d (
+        .clk_i    (clk_i),
+        .enable_i (advance),
+        .a_i      (distance),
+        .b_i      (distance),
+        .product_o(square_d)
+    );
+    glint_delay #(
+        .WIDTH (F + 1),
+        .STAGES(MULTIPLIER_STAGES)
+    ) delay_distance (
+        .clk_i   (clk_i),
+        .enable_i(advance),
+        .data_i  (distance),
+        .data_o  (distance_d)
+    );
+    glint_delay #(
+        .WIDTH (10),
+        .STAGES(MULTIPLIER_STAGES + 1)
+    ) delay_n (
+        .clk_i   (clk_i),
+        .enable_i(advance),
+        .data_i  (n),
+        .data_o  (n_e)
+    );
+
     reg [E:0] e_q;
-    reg [9:0] n_e_q;
-    always @(posedge clk_i) begin
-        if (advance) begin
-            square_d_q   <= {{F{1'b0}}, distance} * {{F{1'b0}}, distance};
-            distance_d_q <= distance;
-            n_d_q        <= n;
-            e_q          <= sum_e[E_CUT+:E+1];
-            n_e_q        <= n_d_q;
-        end
-    end
+    always @(posedge clk_i) if (advance) e_q <= sum_e[E_CUT+:E+1];
 
     // x = n e is at most 1023 * 1.625 2^E: E + 11 bits. From A 2^E on the result is 0.
     localparam X_W = E + 11;
     localparam V_CUT = E + LOG_A - S;
 
-    reg [X_W-1:0] x_q;
-    wire          cut = |x_q[X_W-1:E+LOG_A];
+    wire [X_W-1:0] x;
+    wire           cut = |x[X_W-1:E+LOG_A];
+    glint_multiplier #(
+        .A_W   (E + 1),
+        .B_W   (10),
+        .STAGES(MULTIPLIER_STAGES)
+    ) multiplier_x (
+        .clk_i    (clk_i),
+        .enable_i (advance),
+        .a_i      (e_q),
+        .b_i      (n_e),
+        .product_o(x)
+    );
 
     // v = rnd(A 2^E - x, E + LOG_A - S), 0 .. 2^S; the difference is at most A 2^E, with the half that rounds it below
     // twice that.
     /* verilator lint_off UNUSED */  // the low bits are those that rounding cuts
-    wire [E+LOG_A:0] sum_v = {1'b1, {(E + LOG_A) {1'b0}}} - {1'b0, x_q[E+LOG_A-1:0]} +
+    wire [E+LOG_A:0] sum_v = {1'b1, {(E + LOG_A) {1'b0}}} - {1'b0, x[E+LOG_A-1:0]} +
                              {{(E + LOG_A + 1 - V_CUT) {1'b0}}, 1'b1, {(V_CUT - 1) {1'b0}}};
     /* verilator lint_on UNUSED */
 
@@ -102,7 +139,6 @@ module glint_taylor #(
     reg       cut_q;
     always @(posedge clk_i) begin
         if (advance) begin
-            x_q   <= {{(E + 1) {1'b0}}, n_e_q} * {10'd0, e_q};
             v_q   <= sum_v[E+LOG_A:V_CUT];
             cut_q <= cut;
         end
@@ -111,8 +147,9 @@ module glint_taylor #(
     // rnd(v^2, S + 1): 0 .. 2^(S-1).
     wire [S-1:0] half_square;
     glint_square #(
-        .S(S),
-        .R(S - 1)
+        .S                (S),
+        .R                (S - 1),
+        .MULTIPLIER_STAGES(MULTIPLIER_STAGES)
     ) square_v (
         .clk_i   (clk_i),
         .enable_i(advance),
@@ -126,7 +163,7 @@ module glint_taylor #(
     wire   [2:0] power_late;
     glint_delay #(
         .WIDTH (1),
-        .STAGES(2)
+        .STAGES(MULTIPLIER_STAGES + 1)
     ) delay_cut (
         .clk_i   (clk_i),
         .enable_i(advance),
@@ -135,7 +172,7 @@ module glint_taylor #(
     );
     glint_delay #(
         .WIDTH (F + 4),
-        .STAGES(6)
+        .STAGES(3 * MULTIPLIER_STAGES + 3)
     ) delay_cosine (
         .clk_i   (clk_i),
         .enable_i(advance),
@@ -164,10 +201,11 @@ module glint_taylor #(
     end
 
     glint_power #(
-        .S      (S),
-        .O      (O),
-        .SQUARES(SQUARES),
-        .CHOICE (1)
+        .S                (S),
+        .O                (O),
+        .SQUARES          (SQUARES),
+        .CHOICE           (1),
+        .MULTIPLIER_STAGES(MULTIPLIER_STAGES)
     ) power_of_r (
         .clk_i     (clk_i),
         .enable_i  (advance),

@@ -49,6 +49,7 @@ install_missing() {
         need libbenchmark-dev file_there '/usr/include/benchmark/benchmark.h'
         need iverilog command_there iverilog
         need yosys command_there yosys
+        need nextpnr-ice40 command_there nextpnr-ice40
         need z3 command_there z3
         need sollya command_there sollya
         need clang-format command_there clang-format

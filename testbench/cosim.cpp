@@ -16,6 +16,7 @@ namespace glint::testbench {
 namespace {
 
 constexpr std::int64_t burst_length = 4096;
+constexpr int axis_latency = 2;  ///< clocks that glint_axis adds
 
 /// The inputs of one burst and where its random stalls start.
 struct Stimulus {
@@ -49,6 +50,7 @@ struct Log {
     std::uint64_t cycles = 0;
     std::uint64_t span = 0;
     std::uint64_t span_results = 0;
+    std::uint64_t intervals = 0, interval_clocks = 0;  // between neighbouring results, without stalls
     int least_latency = 0, most_latency = 0;
     std::map<std::uint64_t, Failure> failures;  // by place; only the first few are kept
 };
@@ -100,6 +102,8 @@ private:
         if (request_.stall_probability > 0.0 || outcome_.results == 0) return;
         log_.span += outcome_.span;
         log_.span_results += outcome_.results;
+        log_.intervals += outcome_.results - 1;
+        log_.interval_clocks += outcome_.span - 1;
         if (log_.most_latency == 0) log_.least_latency = outcome_.latency;
         log_.least_latency = std::min(log_.least_latency, outcome_.latency);
         log_.most_latency = std::max(log_.most_latency, outcome_.latency);
@@ -245,6 +249,7 @@ void run_resets(const GoldenModel& model, const UnitKind& kind, const Request& r
 
 /// Runs the failed burst again in the unit that can draw, and says what it showed.
 std::string draw(const UnitKind& kind, int F, const Request& request, const Failure& failure) {
+    if (kind.traced == nullptr) return fmt::format("no waveform: this build has none of {}\n", kind.architecture);
     const std::unique_ptr<Unit> unit = kind.traced(F, request.seed);
     const Schedule schedule{request.stall_probability, failure.stimulus.stall_seed};
     constexpr std::uint64_t before = 64;
@@ -272,6 +277,7 @@ CosimResult cosimulate(const GoldenModel& model, const UnitKind& kind, const Req
                        const Progress& progress) {
     static constexpr std::array names{"stream", "illegal", "reset"};
     CosimResult out{cli::run_result(model, std::string(kind.unit), names[static_cast<std::size_t>(request.test)]), {}};
+    out.run.architecture = kind.architecture;
     Log log;
     const auto start = std::chrono::steady_clock::now();
     if (request.test == Test::illegal) {
@@ -291,6 +297,9 @@ CosimResult cosimulate(const GoldenModel& model, const UnitKind& kind, const Req
     hardware.latency_cycles = log.most_latency;
     hardware.results_per_cycle =
         log.span == 0 ? 0.0 : static_cast<double>(log.span_results) / static_cast<double>(log.span);
+    if (log.intervals > 0) {
+        hardware.interval_cycles = static_cast<double>(log.interval_clocks) / static_cast<double>(log.intervals);
+    }
     hardware.stall_probability = request.stall_probability;
     hardware.seed = request.seed;
     out.run.hardware = hardware;
@@ -299,6 +308,15 @@ CosimResult cosimulate(const GoldenModel& model, const UnitKind& kind, const Req
     if (log.least_latency != log.most_latency) {
         out.complaint +=
             fmt::format("latency varies without stalls: {} to {} clocks\n", log.least_latency, log.most_latency);
+    }
+    // One result a clock, but for the iterative divider, which takes the next input when a result leaves the core.
+    const std::uint64_t interval =
+        kind.architecture.starts_with("iterative")
+            ? static_cast<std::uint64_t>(log.most_latency - (kind.unit == "axis" ? axis_latency : 0))
+            : 1;
+    if (log.mismatches == 0 && log.interval_clocks != log.intervals * interval) {
+        out.complaint += fmt::format("{} clocks between {} results without stalls, not {} each\n", log.interval_clocks,
+                                     log.intervals + 1, interval);
     }
     if (log.mismatches > 0) {
         const Failure& first = log.failures.begin()->second;

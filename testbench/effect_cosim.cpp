@@ -18,7 +18,8 @@ namespace {
 
 constexpr std::uint64_t burst_length = 4096;
 constexpr std::uint64_t most_corners = std::uint64_t{1} << 22;
-constexpr std::uint64_t most_inputs = std::uint64_t{1} << 32;  // of an exhaustive run
+constexpr std::uint64_t sampled_corners = std::uint64_t{1} << 18;  // of more than that
+constexpr std::uint64_t most_inputs = std::uint64_t{1} << 32;      // of an exhaustive run
 
 /// A seed of its own for each part of a run, so that any part can be run again by itself.
 std::uint64_t derived_seed(std::uint64_t seed, std::uint64_t part) {
@@ -83,11 +84,17 @@ std::string described(std::span<const EffectPort> ports, const std::vector<std::
 class Checker {
 public:
     Checker(const EffectModel& model, const EffectUnitKind& kind, const EffectRequest& request, Log& log)
-        : model_(model), request_(request), log_(log), unit_(kind.fast(request.seed)) {}
+        : model_(model), request_(request), log_(log), mask_(kind.mask), unit_(kind.fast(request.seed)) {}
 
     void check(const Stimulus& stimulus, std::uint64_t burst) {
         const std::size_t count = stimulus.tags.size();
         const auto inputs = stimulus.pointers();
+        // What is not built counts as not asked for.
+        asked_ = stimulus;
+        if (mask_ >= 0) {
+            for (std::int32_t& code : asked_.columns[0]) code &= mask_;
+        }
+        const auto asked = asked_.pointers();
         expected_.resize(model_.outputs().size());
         std::vector<std::int32_t*> outputs;
         for (auto& column : expected_) {
@@ -95,7 +102,7 @@ public:
             outputs.push_back(column.data());
         }
         clamped_.resize(count);
-        model_.eval_port_batch(inputs, outputs, clamped_);
+        model_.eval_port_batch(asked, outputs, clamped_);
         unit_->run({inputs, stimulus.tags}, {request_.stall_probability, stimulus.stall_seed}, outcome_);
         measure(stimulus, burst);
 
@@ -163,7 +170,7 @@ private:
                 got.push_back(outcome_.values[p][i]);
                 want.push_back(expected_[p][i]);
             }
-            const auto in = stimulus.row(i);
+            const auto in = asked_.row(i);
             text += fmt::format("{}: {} clamped {} tag {:#x}, golden {} clamped {} tag {:#x}\n  golden:",
                                 described(model_.inputs(), in), described(model_.outputs(), got), outcome_.clamped[i],
                                 outcome_.tags[i], described(model_.outputs(), want), clamped_[i],
@@ -180,7 +187,7 @@ private:
         std::vector<double> in(ports.size());
         bool larger = false;
         for (std::size_t i = 0; i < stimulus.tags.size(); ++i) {
-            for (std::size_t p = 0; p < in.size(); ++p) in[p] = ports[p].real(stimulus.columns[p][i]);
+            for (std::size_t p = 0; p < in.size(); ++p) in[p] = ports[p].real(asked_.columns[p][i]);
             const std::vector<double> real = model_.reference(in);
             const double scale = model_.bound_scale(in);
             for (std::size_t p = 0; p < real.size(); ++p) {
@@ -200,6 +207,8 @@ private:
     const EffectModel& model_;
     const EffectRequest& request_;
     Log& log_;
+    int mask_;
+    Stimulus asked_;
     std::unique_ptr<EffectUnit> unit_;
     std::vector<std::vector<std::int32_t>> expected_;
     std::vector<std::uint8_t> clamped_;
@@ -254,7 +263,7 @@ Plan stream_plan(const EffectModel& model, std::uint64_t count, std::uint64_t& c
         products *= static_cast<double>(corners.back().size());
     }
     const bool all = products <= static_cast<double>(most_corners);
-    corner_inputs = all ? static_cast<std::uint64_t>(products) : most_corners;
+    corner_inputs = all ? static_cast<std::uint64_t>(products) : sampled_corners;
     const std::uint64_t first_random = corner_inputs;
     return plan_of(
         corner_inputs + count, corners.size(),
@@ -355,6 +364,7 @@ EffectRun cosimulate_effect(const Effect& effect, const EffectModel& model, cons
     run.effect = effect.name;
     run.lobe = kind.lobe;
     run.profile = model.profile().name;
+    run.mask = kind.mask;
     run.test = names[static_cast<std::size_t>(request.test)];
     run.request = request;
     run.bound_ulp = effect.bound_ulp;
@@ -432,6 +442,7 @@ nlohmann::ordered_json to_json(const std::vector<EffectRun>& runs, const std::st
             {"effect", run.effect},
             {"lobe", run.lobe},
             {"profile", run.profile},
+            {"mask", run.mask},
             {"test", run.test},
             {"inputs", run.inputs},
             {"corners", run.corners},
@@ -458,9 +469,9 @@ std::string effect_table(const std::vector<EffectRun>& runs) {
         const bool timed = run.request.stall_probability == 0.0;
         std::string at = run.error.output + ":";
         for (const std::int64_t code : run.error.in) at += fmt::format(" {}", code);
-        rows.push_back({run.effect, run.lobe.empty() ? "-" : run.lobe, run.profile, run.test,
-                        fmt::format("{}", run.inputs), fmt::format("{}", run.mismatches),
-                        timed ? fmt::format("{}", run.latency_cycles) : "-",
+        rows.push_back({run.mask < 0 ? run.effect : fmt::format("{} MASK {}", run.effect, run.mask),
+                        run.lobe.empty() ? "-" : run.lobe, run.profile, run.test, fmt::format("{}", run.inputs),
+                        fmt::format("{}", run.mismatches), timed ? fmt::format("{}", run.latency_cycles) : "-",
                         timed ? fmt::format("{:.4f}", run.results_per_cycle) : "-",
                         fmt::format("{:.4f}", run.error.ulp), fmt::format("{:.4f}", run.bound_ulp), at});
     }

@@ -30,8 +30,8 @@ struct EffectRequest {
     std::string trace_file;  ///< waveform of the first mismatch's neighbourhood; empty: none
 };
 
-/// The largest difference of the golden model and the real function, in the units of Effect::bound_ulp, and where it was
-/// seen.
+/// The largest difference of the golden model and the real function, in the units of Effect::bound_ulp, and where it
+/// was seen.
 struct EffectError {
     double ulp = -1.0;  ///< -1: nothing seen
     std::string output;
@@ -40,6 +40,7 @@ struct EffectError {
 
 struct EffectRun {
     std::string effect, lobe, profile, test;
+    int mask = -1;  ///< of shade; -1: all
     std::uint64_t inputs = 0;
     std::uint64_t corners = 0;  ///< of them products of corners
     std::uint64_t mismatches = 0;

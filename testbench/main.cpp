@@ -21,7 +21,9 @@ struct Options {
     std::string effect;
     std::string lobe = "bps";
     std::string profile = "p8,p12,p16";
+    std::string mask;
     std::string unit = "core";
+    std::string architecture;
     std::string n = "all";
     std::string cos = "all";
     bool exhaustive = false;
@@ -36,14 +38,53 @@ struct Options {
     std::string junit;
 };
 
-const UnitKind& find_unit(const GoldenModel& model, std::string_view unit) {
-    std::string known;
-    for (const UnitKind& kind : unit_kinds()) {
-        if (kind.lobe == model.lobe() && kind.profile == model.profile().name && kind.unit == unit) return kind;
-        known += fmt::format("{}{} {} {}", known.empty() ? "" : ", ", kind.lobe, kind.profile, kind.unit);
+/// The units that are asked for, of one golden model. `architectures`: names, "all" that this build has, or empty: the
+/// default one. Throws Error.
+std::vector<const UnitKind*> find_units(const GoldenModel& model, const std::vector<std::string>& units,
+                                        const std::vector<std::string>& architectures) {
+    const Lobe& lobe = find_lobe(model.lobe());
+    const bool all = architectures == std::vector<std::string>{"all"};
+    std::vector<std::string> names;
+    for (const std::string& text : architectures) {
+        if (!all) names.push_back(parse_architecture(lobe, text).name);
     }
-    throw Error(fmt::format("unit '{} {} {}' is not in this build, which has: {} (the CMake list GLINT_PROFILES says)",
-                            model.lobe(), model.profile().name, unit, known));
+    if (architectures.empty()) names.push_back(default_architecture(lobe).name);
+    std::string known;
+    std::vector<const UnitKind*> out;
+    for (const UnitKind& kind : unit_kinds()) {
+        known += fmt::format("{}{} {} {} {}", known.empty() ? "" : ", ", kind.lobe, kind.profile, kind.unit,
+                             kind.architecture);
+    }
+    const auto add = [&](const std::string& unit, const std::string& architecture) {
+        const std::size_t before = out.size();
+        for (const UnitKind& kind : unit_kinds()) {
+            if (kind.lobe == model.lobe() && kind.profile == model.profile().name && kind.unit == unit &&
+                (all || kind.architecture == architecture)) {
+                out.push_back(&kind);
+            }
+        }
+        if (out.size() == before) {
+            throw Error(fmt::format(
+                "unit '{} {} {} {}' is not in this build, which has: {} (the CMake lists GLINT_PROFILES and "
+                "GLINT_ARCHITECTURES say)",
+                model.lobe(), model.profile().name, unit, architecture, known));
+        }
+    };
+    for (const std::string& unit : units) {
+        if (all) add(unit, "all");
+        for (const std::string& name : names) add(unit, name);
+    }
+    return out;
+}
+
+std::vector<std::string> split(const std::string& text) {
+    std::vector<std::string> out;
+    for (std::size_t begin = 0; begin <= text.size();) {
+        const std::size_t end = std::min(text.find(',', begin), text.size());
+        out.push_back(text.substr(begin, end - begin));
+        begin = end + 1;
+    }
+    return out;
 }
 
 Request make_request(const Options& options, const GoldenModel& model) {
@@ -90,6 +131,18 @@ std::vector<const Effect*> split_effects(const std::string& text) {
     return out;
 }
 
+/// "1,2,5"; empty: -1, all that there is.
+std::vector<int> split_masks(const std::string& text) {
+    if (text.empty()) return {-1};
+    std::vector<int> out;
+    for (std::size_t begin = 0; begin <= text.size();) {
+        const std::size_t end = std::min(text.find(',', begin), text.size());
+        out.push_back(static_cast<int>(cli::parse_integer(text.substr(begin, end - begin), "--mask", 0, 0xffff)));
+        begin = end + 1;
+    }
+    return out;
+}
+
 int cosim_effects(const Options& options, const std::string& command) {
     EffectRequest request;
     request.count = options.count;
@@ -111,9 +164,11 @@ int cosim_effects(const Options& options, const std::string& command) {
     std::vector<Work> work;
     for (const Effect* effect : split_effects(options.effect)) {
         for (const std::string& profile : cli::split_profiles(options.profile)) {
-            auto model = effect->golden(parse_profile(profile), options.lobe);
-            const EffectUnitKind& kind = find_effect_unit(effect->name, options.lobe, model->profile().name);
-            work.push_back({effect, std::move(model), &kind});
+            for (const int mask : split_masks(options.mask)) {
+                auto model = effect->golden(parse_profile(profile), options.lobe);
+                const EffectUnitKind& kind = find_effect_unit(effect->name, options.lobe, model->profile().name, mask);
+                work.push_back({effect, std::move(model), &kind});
+            }
         }
     }
     if (work.empty()) throw Error("--effect all: this build has no unit of any effect");
@@ -122,8 +177,9 @@ int cosim_effects(const Options& options, const std::string& command) {
     std::vector<EffectRun> runs;
     std::vector<JUnitCase> cases;
     for (const auto& [effect, model, kind] : work) {
-        const std::string name =
-            fmt::format("{}{}{} {}", effect->name, kind->lobe.empty() ? "" : " ", kind->lobe, model->profile().name);
+        const std::string mask = kind->mask < 0 ? "" : fmt::format(" MASK {}", kind->mask);
+        const std::string name = fmt::format("{}{}{} {}{}", effect->name, kind->lobe.empty() ? "" : " ", kind->lobe,
+                                             model->profile().name, mask);
         runs.push_back(cosimulate_effect(*effect, *model, *kind, request, cli::progress_bar(name)));
         const EffectRun& run = runs.back();
         cases.push_back({fmt::format("{} {}", name, run.test), run.seconds, run.complaint});
@@ -140,10 +196,10 @@ int cosim(const Options& options, const std::string& command) {
     const auto golden = cli::models(options.lobe, options.profile);
     std::vector<std::pair<const GoldenModel*, const UnitKind*>> work;
     for (const auto& model : golden) {
-        for (std::size_t begin = 0; begin <= options.unit.size();) {
-            const std::size_t end = std::min(options.unit.find(',', begin), options.unit.size());
-            work.emplace_back(model.get(), &find_unit(*model, options.unit.substr(begin, end - begin)));
-            begin = end + 1;
+        const auto architectures =
+            options.architecture.empty() ? std::vector<std::string>{} : split(options.architecture);
+        for (const UnitKind* kind : find_units(*model, split(options.unit), architectures)) {
+            work.emplace_back(model.get(), kind);
         }
     }
     cli::check_writable(options.json);
@@ -151,7 +207,7 @@ int cosim(const Options& options, const std::string& command) {
     std::vector<cli::RunResult> runs;
     std::vector<JUnitCase> cases;
     for (const auto& [model, kind] : work) {
-        const std::string name = fmt::format("{} {} {}", kind->lobe, kind->profile, kind->unit);
+        const std::string name = fmt::format("{} {} {} {}", kind->lobe, kind->profile, kind->unit, kind->architecture);
         CosimResult result = cosimulate(*model, *kind, make_request(options, *model), cli::progress_bar(name));
         cases.push_back({fmt::format("{} {}", name, result.run.test), result.run.seconds, result.complaint});
         if (!result.complaint.empty()) fmt::print(stderr, "{}: FAILED: {}", name, result.complaint);
@@ -170,10 +226,14 @@ int main(int argc, char** argv) {
     CLI::App app{"The Verilog, run by Verilator, against the golden model, bit for bit.", "glint-cosim"};
     CLI::Option* effect = app.add_option("--effect", options.effect,
                                          "Effects instead of lobes, or all; --lobe is that of phong and blinn_phong");
+    app.add_option("--mask", options.mask, "With --effect shade: units with these MASKs, separated by commas")
+        ->needs(effect);
     app.add_option("--lobe", options.lobe, "Lobes, separated by commas, or all")->capture_default_str();
     app.add_option("--profile", options.profile, "Profiles, separated by commas")->capture_default_str();
     CLI::Option* unit =
         app.add_option("--unit", options.unit, "core, axis or both, separated by a comma")->capture_default_str();
+    app.add_option("--architecture", options.architecture,
+                   "Architectures, separated by commas, or all of this build; without it the default one");
     CLI::Option* exhaustive = app.add_flag("--exhaustive", options.exhaustive, "Every legal input");
     CLI::Option* n = app.add_option("--n", options.n, "Exponents: n, first:last, first:last:step or all");
     CLI::Option* cos = app.add_option("--cos", options.cos, "Cosine codes: a range as for --n, or all (0 to 2^F)");

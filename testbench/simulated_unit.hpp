@@ -290,7 +290,7 @@ private:
         std::size_t got = 0;
         std::uint64_t first_result = 0;
         std::uint64_t last_result = 0;
-        std::uint64_t limit = count + silence;
+        std::uint64_t limit = silence;
         for (std::uint64_t now = 0; now < limit; ++now) {
             const bool valid = sent < count;
             Pins::input_valid(model, valid);
@@ -305,7 +305,8 @@ private:
                 last_result = now;
                 Pins::store(out, got, Pins::word(model));
                 out.tags[got] = Pins::output_tag(model);
-                if (++got == count) limit = now + 1 + tail;  // look a little further for what should not come
+                // After the last, look a little further for what should not come.
+                limit = now + 1 + (++got == count ? tail : silence);
             }
             if (valid && Pins::input_ready(model)) ++sent;
             edge();

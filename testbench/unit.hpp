@@ -85,13 +85,14 @@ using EffectUnit = StreamUnit<ColumnBurst, ColumnOutcome>;
 /// hold at first.
 struct UnitKind {
     std::string_view lobe;
-    std::string_view profile;  ///< its name, e.g. "p12" or "18_14_14_12"
-    std::string_view unit;     ///< "core" or "axis"
+    std::string_view profile;       ///< its name, e.g. "p12" or "18_14_14_12"
+    std::string_view unit;          ///< "core" or "axis"
+    std::string_view architecture;  ///< its canonical name, e.g. "restoring"
     std::unique_ptr<Unit> (*fast)(int F, std::uint64_t seed);
-    std::unique_ptr<Unit> (*traced)(int F, std::uint64_t seed);  ///< the same Verilog, built for waveforms
+    std::unique_ptr<Unit> (*traced)(int F, std::uint64_t seed);  ///< the same Verilog, built for waveforms; may be null
 };
 
-/// All units of this build; written by CMake from GLINT_PROFILES.
+/// All units of this build; written by CMake from GLINT_PROFILES and GLINT_ARCHITECTURES.
 std::span<const UnitKind> unit_kinds();
 
 }  // namespace glint::testbench

@@ -15,6 +15,7 @@ struct Options {
     std::string effect;
     std::string lobe = "bps";
     std::string profile = "p12";
+    std::string architecture;
     std::string target = "all";
     std::string folder = ".";
 };
@@ -66,9 +67,11 @@ int run_emit(const Options& options) {
     make_folder(options.folder);
     const LobeChoice choice = parse_lobe(options.lobe);
     const Lobe& lobe = *choice.lobe;
+    const Architecture architecture =
+        options.architecture.empty() ? default_architecture(lobe) : parse_architecture(lobe, options.architecture);
     for (const std::string& text : split_profiles(options.profile)) {
         const Profile profile = choice.profile(text);
-        write(lobe.emit(profile), options);
+        write(lobe.emit(profile, architecture), options);
         if (!profile.shipped() || !profile.options.empty()) {
             fmt::print("{} {}: rounding error {}\n", lobe.name, text, measured_bound(*lobe.golden(profile)));
         }
@@ -86,6 +89,9 @@ void add_emit(CLI::App& app, Chosen& chosen) {
         ->capture_default_str();
     command->add_option("--profile", options->profile, "Profiles: p8, p12, p16 or the lobe's F,..,O")
         ->capture_default_str();
+    command->add_option("--architecture", options->architecture,
+                        "Default parameters of the Verilog: restoring, radix4, iterative or reciprocal, then :rN, :mN; "
+                        "without a divider pipelined[:mN] (docs/rtl.md)");
     command->add_option("--target", options->target, "verilog, hls, proof or all")->capture_default_str();
     command->add_option("-o,--output", options->folder, "Folder")->capture_default_str();
     command->footer("Example: glint emit --lobe bps --profile 18,14,14,12 -o out");

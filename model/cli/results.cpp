@@ -42,9 +42,11 @@ Json to_json(const RunResult& run) {
              {"seconds", run.seconds},
              {"vectors_per_second", run.seconds > 0 ? static_cast<double>(run.inputs) / run.seconds : 0.0}};
     if (run.hardware) {
+        out["architecture"] = run.architecture;
         out["mismatches"] = run.hardware->mismatches;
         out["cycles"] = run.hardware->cycles;
         out["latency_cycles"] = run.hardware->latency_cycles;
+        out["interval_cycles"] = run.hardware->interval_cycles;
         out["results_per_cycle"] = run.hardware->results_per_cycle;
         out["stall_probability"] = run.hardware->stall_probability;
         out["seed"] = run.hardware->seed;
@@ -98,16 +100,16 @@ std::string results_table(const std::vector<RunResult>& runs, bool hardware) {
     const auto add = [](std::vector<std::string>& row, bool wanted, std::initializer_list<std::string> cells) {
         if (wanted) row.insert(row.end(), cells);
     };
-    add(heading, hardware, {"unit", "test"});
+    add(heading, hardware, {"unit", "architecture", "test"});
     add(heading, true, {"inputs"});
     add(heading, hardware, {"mismatches"});
     add(heading, accuracy, {"rounding/ulp", "error", "at", "exact cos", "epicentre", "at"});
-    add(heading, hardware, {"latency", "per clock"});
+    add(heading, hardware, {"latency", "interval"});
     add(heading, true, {"M/s"});
     std::vector<std::vector<std::string>> rows{heading};
     for (const RunResult& run : runs) {
         std::vector<std::string> row{run.lobe, run.profile};
-        add(row, hardware, {run.unit, run.test});
+        add(row, hardware, {run.unit, run.architecture, run.test});
         add(row, true, {grouped(run.inputs)});
         add(row, hardware, {run.hardware ? grouped(run.hardware->mismatches) : "-"});
         if (run.accuracy) {
@@ -124,7 +126,7 @@ std::string results_table(const std::vector<RunResult>& runs, bool hardware) {
         const bool timed = run.hardware && run.hardware->latency_cycles > 0;
         add(row, hardware,
             {timed ? fmt::format("{}", run.hardware->latency_cycles) : "-",
-             timed ? fmt::format("{:.3f}", run.hardware->results_per_cycle) : "-"});
+             timed && run.hardware->interval_cycles > 0 ? fmt::format("{:g}", run.hardware->interval_cycles) : "-"});
         add(row, true,
             {fmt::format("{:.1f}", run.seconds > 0 ? static_cast<double>(run.inputs) / run.seconds / 1e6 : 0.0)});
         rows.push_back(row);

@@ -18,6 +18,7 @@ struct HardwareResult {
     std::uint64_t mismatches = 0;
     std::uint64_t cycles = 0;
     int latency_cycles = 0;          ///< clocks from an accepted input to its output, without stalls; measured
+    double interval_cycles = 0.0;    ///< clocks between two results, without stalls; measured; 0: not measured
     double results_per_cycle = 0.0;  ///< results over the clocks from the first to the last of a burst; measured
     double stall_probability = 0.0;
     std::uint64_t seed = 0;
@@ -28,9 +29,10 @@ struct RunResult {
     std::string profile;
     int F = 0;
     int O = 0;
-    std::string architecture;  ///< of a unit of hardware; empty where the results do not name it
-    std::string unit;          ///< "model", "core" or "axis"
-    std::string test;          ///< "sweep", "stream", "illegal" or "reset"
+    std::string unit;  ///< "model", "core" or "axis"
+    std::string
+        architecture;  ///< of a unit of Verilog (glint/architecture.hpp); empty where the results do not name it
+    std::string test;  ///< "sweep", "stream", "illegal" or "reset"
     bool exhaustive = false;
     std::uint64_t inputs = 0;
     double seconds = 0.0;

@@ -58,21 +58,23 @@ void check_carried(std::string_view effect, std::span<const EffectPort> ports, s
     }
 }
 
-/// Cuts a code to the legal range of its port; true where that changed it.
-bool correct(const EffectPort& port, std::int64_t& code) {
-    const std::int64_t legal = std::clamp(code, port.low, port.high);
-    const bool changed = legal != code;
-    code = legal;
+}  // namespace
+
+bool EffectModel::correct(std::int64_t* in) const {
+    bool changed = false;
+    for (std::size_t p = 0; p < inputs_.size(); ++p) {
+        const std::int64_t legal = std::clamp(in[p], inputs_[p].low, inputs_[p].high);
+        changed |= legal != in[p];
+        in[p] = legal;
+    }
     return changed;
 }
-
-}  // namespace
 
 EffectResult EffectModel::eval_port(std::span<const std::int64_t> in) const {
     check_carried(effect_, inputs_, in);
     EffectResult out{std::vector<std::int64_t>(outputs_.size()), false};
     std::vector<std::int64_t> codes(in.begin(), in.end());
-    for (std::size_t p = 0; p < codes.size(); ++p) out.clamped |= correct(inputs_[p], codes[p]);
+    out.clamped = correct(codes.data());
     value(codes.data(), out.values.data());
     return out;
 }
@@ -85,21 +87,17 @@ void EffectModel::eval_port_batch(std::span<const std::int32_t* const> inputs, s
     }
     std::vector<std::int64_t> in(inputs.size()), out(outputs.size());
     for (std::size_t i = 0; i < clamped.size(); ++i) {
-        bool changed = false;
-        for (std::size_t p = 0; p < in.size(); ++p) {
-            in[p] = inputs[p][i];
-            changed |= correct(inputs_[p], in[p]);
-        }
+        for (std::size_t p = 0; p < in.size(); ++p) in[p] = inputs[p][i];
+        clamped[i] = correct(in.data()) ? 1 : 0;
         value(in.data(), out.data());
         for (std::size_t p = 0; p < out.size(); ++p) outputs[p][i] = static_cast<std::int32_t>(out[p]);
-        clamped[i] = changed ? 1 : 0;
     }
 }
 
 std::vector<Intermediate> EffectModel::trace(std::span<const std::int64_t> in) const {
     check_carried(effect_, inputs_, in);
     std::vector<std::int64_t> codes(in.begin(), in.end());
-    for (std::size_t p = 0; p < codes.size(); ++p) correct(inputs_[p], codes[p]);
+    correct(codes.data());
     return intermediates(codes.data());
 }
 

@@ -20,7 +20,7 @@ localparam OUT_W     = TAG_W + 1 + O + 1;
 (* hierconn *) wire           [LATENCY-1:0] \core.ports.valid_q ;
 (* hierconn *) wire         [6*LATENCY-1:0] \core.ports.after_q ;
 (* hierconn *) wire                   [5:0] \core.ports.inside ;
-(* hierconn *) wire [(TAG_W+1)*LATENCY-1:0] \core.ports.delay_tag.contents ;
+(* hierconn *) wire [(TAG_W+1)*LATENCY-1:0] \core.ports.all.delay_tag.contents ;
 
 wire             watch_now, watching;
 wire [TAG_W-1:0] item;
@@ -82,7 +82,7 @@ generate
         assign mark_ok[slot] = !mark_q[slot] || (\core.ports.valid_q [slot]
             && ahead == count_out + \core.ports.after_q [6*slot+:6]
             && patience + LATENCY - slot + \axis.skid_out.spare_full_q <= LATENCY + 3
-            && item == \core.ports.delay_tag.contents [slot*(TAG_W+1)+:TAG_W]);
+            && item == \core.ports.all.delay_tag.contents [slot*(TAG_W+1)+:TAG_W]);
         assign drought_ok[slot] = \core.ports.valid_q [slot] && drought <= slot + 1;
     end
 endgenerate

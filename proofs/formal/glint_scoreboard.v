@@ -14,6 +14,7 @@ module glint_scoreboard #(
     parameter PATIENCE   = 1,  // an item leaves at the PATIENCE-th clock with out_ready = 1, or before
     parameter DROUGHT    = 1,  // with an item in flight, out_valid is 0 for less than DROUGHT clocks in a row
     parameter RATE       = 0,  // in_ready is 1 after RATE clocks in a row with out_ready = 1; 0: in the same clock
+    parameter FULL_RATE  = 1,  // 0: the item a clock is not claimed
     parameter REGISTERED = 0   // 1: valid and ready are 0 in the clock after one with reset; 0: in the same clock
 ) (
     input  wire                clk,
@@ -90,7 +91,7 @@ module glint_scoreboard #(
         // valid never waits for ready.
         if (rst_n && in_flight != 0 && !out_valid) valid_does_not_wait: assert (drought + 1 < DROUGHT);
         // An item a clock, for as long as the receiver takes one a clock.
-        if (rst_n && ready_run == RATE && (out_ready || RATE != 0)) full_rate: assert (in_ready);
+        if (FULL_RATE != 0 && rst_n && ready_run == RATE && (out_ready || RATE != 0)) full_rate: assert (in_ready);
         // A stalled output does not change and does not go away, except by reset.
         if (rst_n && stall_q) stable: assert (out_valid && {out_data, out_result} == held_q);
         // Reset closes both sides.
@@ -115,11 +116,17 @@ module glint_scoreboard #(
     always @* begin
         cover_leaves:  cover (watched_leaves);
         cover_stalled: cover (watched_leaves && stall_q);
-        cover_drained: cover (rst_n && was_two && in_flight == 0);
-        cover_burst:   cover (rst_n && burst == 4);
         cover_reset:   cover (emit && was_cut);
     end
     generate
+        if (CAPACITY > 1) begin : many
+            always @* cover_drained: cover (rst_n && was_two && in_flight == 0);
+        end
+        if (FULL_RATE != 0) begin : fast
+            always @* cover_burst: cover (rst_n && burst == 4);
+        end else begin : slow
+            always @* cover_exchange: cover (accept && emit);
+        end
         if (DROUGHT > 1) begin : dry
             always @* cover_drought: cover (rst_n && in_flight != 0 && !out_valid && drought + 2 == DROUGHT);
         end

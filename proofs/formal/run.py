@@ -62,19 +62,24 @@ HANDSHAKE = "no item lost, repeated or reordered; stable in a stall; tag kept; r
 
 # Planted bugs: what breaks, the property that finds it, text, what stands there instead.
 PORTS_BUGS = [
-    ("stall_ignored", "stable", "wire               advance = ready_i | ~valid_q[LATENCY-1];",
-     "wire               advance = 1'b1;"),
-    ("valid_waits_for_ready", "valid_does_not_wait", "advance = ready_i | ~valid_q[LATENCY-1];", "advance = ready_i;"),
-    ("item_lost", "delivered", "valid_q[LATENCY-2:0], valid_i}", "valid_q[LATENCY-2:0], valid_i & ready_i}"),
-    ("bubble_comes_out", "nothing_invented", "valid_q[LATENCY-2:0], valid_i}", "valid_q[LATENCY-2:0], 1'b1}"),
-    ("survives_reset", "nothing_invented", "if (!rst_ni) valid_q <= {LATENCY{1'b0}};\n        else if (advance)",
+    ("stall_ignored", "stable", "wire              advance = ready_i | ~valid_q[CLOCKS-1];",
+     "wire              advance = 1'b1;"),
+    ("valid_waits_for_ready", "valid_does_not_wait", "advance = ready_i | ~valid_q[CLOCKS-1];", "advance = ready_i;"),
+    ("item_lost", "delivered", "valid_q[CLOCKS-2:0], valid_i & room}", "valid_q[CLOCKS-2:0], valid_i & room & ready_i}"),
+    ("bubble_comes_out", "nothing_invented", "valid_q[CLOCKS-2:0], valid_i & room}", "valid_q[CLOCKS-2:0], 1'b1}"),
+    ("survives_reset", "nothing_invented", "if (!rst_ni) valid_q <= {CLOCKS{1'b0}};\n        else if (advance)",
      "if (advance)"),
-    ("ready_in_reset", "silent_in_reset", "assign ready_o   = rst_ni & advance;", "assign ready_o   = advance;"),
-    ("every_second_clock", "full_rate", "assign ready_o   = rst_ni & advance;",
+    ("ready_in_reset", "silent_in_reset", "assign ready_o   = rst_ni & advance & room;", "assign ready_o   = advance & room;"),
+    ("every_second_clock", "full_rate", "assign ready_o   = rst_ni & advance & room;",
      "assign ready_o   = rst_ni & advance & ~valid_q[0];"),
-    ("accepts_when_full", "capacity", "assign ready_o   = rst_ni & advance;", "assign ready_o   = rst_ni;"),
-    ("tag_stays_behind", "in_turn", ") delay_tag (\n        .clk_i   (clk_i),\n        .enable_i(advance),",
-     ") delay_tag (\n        .clk_i   (clk_i),\n        .enable_i(ready_i),"),
+    ("accepts_when_full", "capacity", "assign ready_o   = rst_ni & advance & room;", "assign ready_o   = rst_ni;"),
+    ("tag_stays_behind", "in_turn", ") delay_tag (\n                .clk_i   (clk_i),\n                .enable_i(advance),",
+     ") delay_tag (\n                .clk_i   (clk_i),\n                .enable_i(ready_i),"),
+]
+ITERATIVE_BUGS = [
+    ("second_item", "capacity", "room = ITERATIVE ? ~|valid_q[CLOCKS-2:0] : 1'b1;", "room = 1'b1;"),
+    ("tag_of_another", "in_turn", "if (advance & load) begin\n                    negative_q",
+     "if (advance) begin\n                    negative_q"),
 ]
 AXIS_BUGS = [
     ("sidebands_swapped", "in_turn", "({s_axis_tuser, s_axis_tlast,", "({s_axis_tlast, s_axis_tuser,"),
@@ -104,10 +109,11 @@ DELAY_BUGS = [
     ("enable_ignored", "holds", "if (enable_i) data_q <= stage[i-1].data_q;", "data_q <= stage[i-1].data_q;"),
 ]
 DIVIDER_BUGS = [
-    ("equal_does_not_fit", "one_stage", "shifted >= {1'b0, divisor};", "shifted > {1'b0, divisor};"),
-    ("stage_skips", "stage_moves", "remainder_q <= reduced;", "remainder_q <= remainder;"),
+    ("equal_does_not_fit", "one_stage", "fits = ~difference[Y_W+1];", "fits = ~difference[Y_W+1] & |difference[Y_W:1];"),
+    ("stage_skips", "stage_moves", "remainder_q  <= reduced;", "remainder_q  <= remainder;"),
     ("quotient_inverted", "divides", "{bits[Q_W-2:0], fits};", "{bits[Q_W-2:0], ~fits};"),
-    ("divisor_of_another", "divisor_kept", "divisor_q   <= divisor;", "divisor_q   <= divisor_i;"),
+    ("divisor_of_another", "divides|beside_kept", "complement_q <= complement;", "complement_q <= ~divisor_i;"),
+    ("beside_of_another", "beside_kept", "beside_q     <= beside;", "beside_q     <= beside_i;"),
     ("enable_ignored", "holds", "if (enable_i) begin", "if (enable_i | fits) begin"),
 ]
 
@@ -152,15 +158,15 @@ def tasks():
     small = divider(10, 6, 5)
     for name, widths in DIVIDERS.items():
         out.append(Task(f"divider.stage.{name}", "one stage: 2 remainder + bit = fits divisor + reduced < divisor",
-                        "glint_divider", "divider", divider(*widths), "induction", 1, "one_stage|stage_moves",
+                        "glint_divider_restoring", "divider", divider(*widths), "induction", 1, "one_stage|stage_moves",
                         ("TWO_STAGES",)))
     for name in ("p8", "p12"):  # at p16 z3 does not answer in 300 s
-        out.append(Task(f"divider.{name}", "whole divider, by bookkeeping; holds without enable", "glint_divider",
+        out.append(Task(f"divider.{name}", "whole divider, by bookkeeping; holds without enable", "glint_divider_restoring",
                         "divider", divider(*DIVIDERS[name]), "induction", 1))
     out += [Task("divider.multiply", "quotient divisor + remainder = dividend, remainder < divisor, as written",
-                 "glint_divider", "divider", small, "induction", 1, defines=("MULTIPLY",)),
-            Task("divider.cover", "not vacuous", "glint_divider", "divider", small, "cover", 12),
-            *bugs("divider", "glint_divider", "divider", small, 9, "glint_divider", DIVIDER_BUGS, ("MULTIPLY",))]
+                 "glint_divider_restoring", "divider", small, "induction", 1, defines=("MULTIPLY",)),
+            Task("divider.cover", "not vacuous", "glint_divider_restoring", "divider", small, "cover", 12),
+            *bugs("divider", "glint_divider_restoring", "divider", small, 9, "glint_divider_restoring", DIVIDER_BUGS, ("MULTIPLY",))]
     for bits in (16, 19, 24):
         out.append(Task(f"sqrt.stage.{bits}", "each stage: 4 remainder + bits = fits (4 root + 1) + reduced", "glint_sqrt",
                         "sqrt", {"Y_W": bits}, "induction", 1))
@@ -183,6 +189,12 @@ def tasks():
                      defines=("DEEP_COVER",)),
                 Task(f"axis.{lobe}.cover", "not vacuous", wrapper, "axis", axis, "cover", 60)]
         if lobe == BUGGED:
+            one = {"DIVIDER": 2, **core}
+            out += [Task(f"{lobe}.iterative.{profile}", HANDSHAKE + "; one item at a time", unit, "unit",
+                         {**word_lengths(lobe, profile), "DIVIDER": 2, "TAG_W": TAG_W}, "induction", 2, defines=("ITERATIVE",))
+                    for profile in ("p8", "p12", "p16")]
+            out += [Task(f"{lobe}.iterative.cover", "not vacuous", unit, "unit", one, "cover", 60, defines=("ITERATIVE",)),
+                    *bugs(f"{lobe}.iterative", unit, "unit", one, 40, "glint_ports", ITERATIVE_BUGS, ("ITERATIVE",))]
             out += [*bugs(lobe, unit, "unit", core, 22, "glint_ports", PORTS_BUGS),
                     *bugs(f"axis.{lobe}", wrapper, "axis", axis, 24, "glint_axis", AXIS_BUGS),
                     *bugs(f"axis.{lobe}", wrapper, "axis", axis, 24, wrapper, WRAPPER_BUGS)]
@@ -228,7 +240,7 @@ def latency(unit, parameters, folder):
     """The clocks from an input of the unit to its result: as many as glint_ports has valid bits."""
     chosen = " ".join(f"-chparam {name} {value}" for name, value in parameters.items())
     (folder / "latency.ys").write_text(
-        f"read_verilog -formal -defer -D SYNTHESIS {' '.join(f'{name}.v' for name in needed(unit))}\n"
+        f"read_verilog -formal -defer -D SYNTHESIS {' '.join(str(RTL / f'{name}.v') for name in needed(unit))}\n"
         f"hierarchy -check -top {unit} {chosen}\nproc\nflatten\nwrite_rtlil latency.il\n")
     run(["yosys", "-q", "-l", "latency.log", "latency.ys"], folder, "Yosys")
     return int(re.search(r"^  wire width (\d+) \\ports\.valid_q$", (folder / "latency.il").read_text(), re.M).group(1))
@@ -247,6 +259,10 @@ def prepare(task, folder):
     if task.edit:
         module, text, instead = task.edit
         modules[module] = edited(module, modules[module], text, instead)
+    if task.kind == "unit":
+        numbers = {name: value for name, value in parameters.items() if name != "TAG_W"}
+        modules[task.top] = modules[task.top].replace(
+            "endmodule", f"localparam LATENCY = {latency(task.top, numbers, folder)};\nendmodule")
     for name, text in modules.items():
         properties = HERE / f"{task.kind if name == task.top and task.kind in ('unit', 'axis') else name}.vh"
         end = text.rindex("endmodule")
@@ -260,7 +276,7 @@ def prepare(task, folder):
     script = f"read_verilog -formal -defer {defines} *.v\nhierarchy -check -top {task.top} {chosen}\n"
     if task.kind in ("unit", "axis"):
         # Any product, quotient, logarithm, ... will do: the handshake must not depend on them.
-        script += "cutpoint t:$mul t:$shr t:*glint_divider* t:*glint_log2* t:*glint_parabola*\n"
+        script += "cutpoint t:$mul t:$shr t:*glint_multiplier* t:*glint_divider* t:*glint_log2* t:*glint_parabola*\n"
     # What nothing drives, such as the entries of tables beside a unit, may be anything: before `opt` chooses a value.
     script += "proc\nflatten\nsetundef -undriven -anyseq\nopt -full\ndffunmap\nopt_clean\n"
     script += "delete t:$assert\n" if task.method == "cover" else "delete t:$cover\n"

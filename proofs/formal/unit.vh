@@ -1,11 +1,17 @@
-// Included at the end of a copy of a unit (glint_bps, ...). What it needs of the unit: the ports of docs/rtl.md, LATENCY
-// as a localparam, and an instance of glint_ports named ports.
+// Included at the end of a copy of a unit (glint_bps, ...). What it needs of the unit: the ports of docs/rtl.md, and an
+// instance of glint_ports named ports. run.py puts the localparam LATENCY before it. ITERATIVE: one item at a time.
 
 (* hierconn *) wire                         \ports.advance ;
 (* hierconn *) wire           [LATENCY-1:0] \ports.valid_q ;
 (* hierconn *) wire         [6*LATENCY-1:0] \ports.after_q ;
 (* hierconn *) wire                   [5:0] \ports.inside ;
-(* hierconn *) wire [(TAG_W+1)*LATENCY-1:0] \ports.delay_tag.contents ;
+`ifdef ITERATIVE
+(* hierconn *) wire               [TAG_W:0] \ports.one.tag_q ;
+localparam CAPACITY = 1;
+`else
+(* hierconn *) wire [(TAG_W+1)*LATENCY-1:0] \ports.all.delay_tag.contents ;
+localparam CAPACITY = LATENCY;
+`endif
 
 wire              watch_now, watching;
 wire  [TAG_W-1:0] item;
@@ -14,7 +20,8 @@ wire        [7:0] in_flight, ahead, patience, drought, ready_run;
 glint_scoreboard #(
     .WIDTH     (TAG_W),
     .RESULT_W  (O + 2),
-    .CAPACITY  (LATENCY),
+    .CAPACITY  (CAPACITY),
+    .FULL_RATE (CAPACITY > 1),
     .PATIENCE  (LATENCY),
     .DROUGHT   (LATENCY),
     .RATE      (0),
@@ -49,7 +56,11 @@ genvar slot;
 generate
     for (slot = 0; slot < LATENCY; slot = slot + 1) begin : marks
         assign mark_ok[slot] = !mark_q[slot] || (\ports.valid_q [slot] && ahead == \ports.after_q [6*slot+:6]
-            && patience <= slot && item == \ports.delay_tag.contents [slot*(TAG_W+1)+:TAG_W]);
+`ifdef ITERATIVE
+            && patience <= slot && item == \ports.one.tag_q [TAG_W-1:0]);
+`else
+            && patience <= slot && item == \ports.all.delay_tag.contents [slot*(TAG_W+1)+:TAG_W]);
+`endif
         assign drought_ok[slot] = \ports.valid_q [slot] && drought <= slot;
     end
 endgenerate

@@ -4,7 +4,10 @@
 `default_nettype none
 
 module glint_cayley_axis_p8 #(
-    parameter USER_W = 16
+    parameter USER_W = 16,
+    parameter DIVIDER = 0,
+    parameter REGISTER_EVERY = 1,
+    parameter MULTIPLIER_STAGES = 1
 ) (
     input  wire              aclk,
     input  wire              aresetn,
@@ -56,6 +59,9 @@ module glint_cayley_axis_p8 #(
     );
 
     glint_cayley_p8 #(
+        .DIVIDER(DIVIDER),
+        .REGISTER_EVERY(REGISTER_EVERY),
+        .MULTIPLIER_STAGES(MULTIPLIER_STAGES),
         .TAG_W(USER_W + 1)
     ) core (
         .clk_i    (aclk),

@@ -4,7 +4,8 @@
 `default_nettype none
 
 module glint_cosine_power_p12 #(
-    parameter TAG_W = 16
+    parameter TAG_W = 16,
+    parameter MULTIPLIER_STAGES = 1
 ) (
     input  wire             clk_i,
     input  wire             rst_ni,
@@ -25,6 +26,7 @@ module glint_cosine_power_p12 #(
         .LOG2_A(3),
         .S     (16),
         .O     (12),
+        .MULTIPLIER_STAGES(MULTIPLIER_STAGES),
         .TAG_W(TAG_W)
     ) core (
         .clk_i    (clk_i),

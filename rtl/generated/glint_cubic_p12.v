@@ -4,7 +4,8 @@
 `default_nettype none
 
 module glint_cubic_p12 #(
-    parameter TAG_W = 16
+    parameter TAG_W = 16,
+    parameter MULTIPLIER_STAGES = 1
 ) (
     input  wire             clk_i,
     input  wire             rst_ni,
@@ -29,6 +30,7 @@ module glint_cubic_p12 #(
         .S(16),
         .K(18),
         .O(12),
+        .MULTIPLIER_STAGES(MULTIPLIER_STAGES),
         .TAG_W(TAG_W)
     ) core (
         .clk_i    (clk_i),

@@ -4,7 +4,10 @@
 `default_nettype none
 
 module glint_polynomial_p12 #(
-    parameter TAG_W = 16
+    parameter TAG_W = 16,
+    parameter DIVIDER = 0,
+    parameter REGISTER_EVERY = 1,
+    parameter MULTIPLIER_STAGES = 1
 ) (
     input  wire             clk_i,
     input  wire             rst_ni,
@@ -29,6 +32,9 @@ module glint_polynomial_p12 #(
         .VARIABLE    (1),
         .DEGREE      (3),
         .COEFFICIENTS({-18'sd50273, 18'sd94326, -18'sd11285, 18'sd0}),
+        .DIVIDER(DIVIDER),
+        .REGISTER_EVERY(REGISTER_EVERY),
+        .MULTIPLIER_STAGES(MULTIPLIER_STAGES),
         .TAG_W(TAG_W)
     ) core (
         .clk_i    (clk_i),

@@ -4,7 +4,8 @@
 `default_nettype none
 
 module glint_quadratic_axis_p12 #(
-    parameter USER_W = 16
+    parameter USER_W = 16,
+    parameter MULTIPLIER_STAGES = 1
 ) (
     input  wire              aclk,
     input  wire              aresetn,
@@ -56,6 +57,7 @@ module glint_quadratic_axis_p12 #(
     );
 
     glint_quadratic_p12 #(
+        .MULTIPLIER_STAGES(MULTIPLIER_STAGES),
         .TAG_W(USER_W + 1)
     ) core (
         .clk_i    (aclk),

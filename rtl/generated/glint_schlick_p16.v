@@ -4,7 +4,10 @@
 `default_nettype none
 
 module glint_schlick_p16 #(
-    parameter TAG_W = 16
+    parameter TAG_W = 16,
+    parameter DIVIDER = 0,
+    parameter REGISTER_EVERY = 1,
+    parameter MULTIPLIER_STAGES = 1
 ) (
     input  wire             clk_i,
     input  wire             rst_ni,
@@ -23,6 +26,9 @@ module glint_schlick_p16 #(
     glint_schlick #(
         .F(20),
         .O(16),
+        .DIVIDER(DIVIDER),
+        .REGISTER_EVERY(REGISTER_EVERY),
+        .MULTIPLIER_STAGES(MULTIPLIER_STAGES),
         .TAG_W(TAG_W)
     ) core (
         .clk_i    (clk_i),

@@ -4,7 +4,8 @@
 `default_nettype none
 
 module glint_spherical_gaussian_p8 #(
-    parameter TAG_W = 16
+    parameter TAG_W = 16,
+    parameter MULTIPLIER_STAGES = 1
 ) (
     input  wire             clk_i,
     input  wire             rst_ni,
@@ -32,6 +33,7 @@ module glint_spherical_gaussian_p8 #(
         .O(8),
         .A(10'd739),
         .B(10'd572),
+        .MULTIPLIER_STAGES(MULTIPLIER_STAGES),
         .TAG_W(TAG_W)
     ) core (
         .clk_i    (clk_i),

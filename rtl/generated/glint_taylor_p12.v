@@ -4,7 +4,8 @@
 `default_nettype none
 
 module glint_taylor_p12 #(
-    parameter TAG_W = 16
+    parameter TAG_W = 16,
+    parameter MULTIPLIER_STAGES = 1
 ) (
     input  wire             clk_i,
     input  wire             rst_ni,
@@ -26,6 +27,7 @@ module glint_taylor_p12 #(
         .E(24),
         .S(18),
         .O(12),
+        .MULTIPLIER_STAGES(MULTIPLIER_STAGES),
         .TAG_W(TAG_W)
     ) core (
         .clk_i    (clk_i),

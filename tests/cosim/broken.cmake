@@ -1,5 +1,5 @@
 # Runs a cosimulation of broken Verilog: it has to exit with 1, to show golden intermediates or the reset's complaint, and
-# to leave a waveform of a mismatch.
+# to leave a waveform of a mismatch, or to say that it cannot draw one.
 file(REMOVE ${TRACE})
 execute_process(COMMAND ${COSIM} --profile p8 ${ARGUMENTS} --trace ${TRACE}
   RESULT_VARIABLE status OUTPUT_VARIABLE output ERROR_VARIABLE error)
@@ -18,6 +18,9 @@ if(NOT GOLDEN)
 endif()
 if(NOT error MATCHES "golden: ${GOLDEN}" AND NOT error MATCHES "never came")
   message(FATAL_ERROR "no intermediate value of the golden model was shown")
+endif()
+if(error MATCHES "no waveform: this build has none of")  # only the default architecture draws
+  return()
 endif()
 if(NOT EXISTS ${TRACE})
   message(FATAL_ERROR "no waveform was written")

@@ -1,8 +1,10 @@
 // glint_divider by its contract: for divisor > 0 and dividend < divisor * 2^Q_W,
-//   dividend = divisor * quotient + remainder, remainder < divisor, and divisor_o is the divisor of this result,
-// Q_W enabled edges after the operands, and for as long as enable_i is 0 then. Verilog-2005, for any simulator.
+//   dividend = divisor * quotient + remainder, remainder < divisor, and beside_o is what was beside these operands,
+// LATENCY enabled edges after them, and for as long as enable_i is 0 then. Verilog-2005, for any simulator. All dividers
+// but the iterative one: divider_iterative_tb.v.
 //
-//   parameters  X_W, Y_W, Q_W as in glint_divider (Y_W and Q_W up to 64)
+//   parameters  X_W, Y_W, Q_W (Y_W and Q_W up to 64), DIVIDER, REGISTER_EVERY, MULTIPLIER_STAGES as in glint_divider
+//               LATENCY: what docs/rtl.md says for them
 //               DIVISIONS: so many, of random operands and corners; 0: all that there are
 //
 // enable_i is 1 for 16 clocks, random for the next 16, and so on; while it is 0 the operands are x. The last line is
@@ -16,6 +18,10 @@ module divider_tb;
     parameter Y_W       = 28;
     parameter Q_W       = 16;
     parameter DIVISIONS = 0;
+    parameter DIVIDER   = 0;
+    parameter LATENCY   = 16;
+    parameter REGISTER_EVERY    = 1;
+    parameter MULTIPLIER_STAGES = 1;
 
     localparam W = Y_W + Q_W;  // of every legal dividend, and of divisor * quotient + remainder
 
@@ -25,20 +31,27 @@ module divider_tb;
     reg  [Y_W-1:0] divisor;
     wire [Q_W-1:0] quotient;
     wire [Y_W-1:0] remainder;
-    wire [Y_W-1:0] divisor_out;
+    wire [Y_W-1:0] beside;
 
     glint_divider #(
-        .X_W(X_W),
-        .Y_W(Y_W),
-        .Q_W(Q_W)
+        .X_W              (X_W),
+        .Y_W              (Y_W),
+        .Q_W              (Q_W),
+        .DIVIDER          (DIVIDER),
+        .REGISTER_EVERY   (REGISTER_EVERY),
+        .MULTIPLIER_STAGES(MULTIPLIER_STAGES),
+        .BESIDE_W         (Y_W)
     ) divider (
         .clk_i      (clk),
         .enable_i   (enable),
+        .start_i    (1'b0),
         .dividend_i (dividend),
         .divisor_i  (divisor),
+        .beside_i   (~divisor),
+        .done_o     (),
         .quotient_o (quotient),
         .remainder_o(remainder),
-        .divisor_o  (divisor_out)
+        .beside_o   (beside)
     );
 
     initial clk = 1'b0;
@@ -101,8 +114,8 @@ module divider_tb;
     endtask
 
     // ---- results --------------------------------------------------------------------------------------------------
-    reg [X_W-1:0] dividends[0:Q_W-1];  // the operands at the last Q_W enabled edges
-    reg [Y_W-1:0] divisors[0:Q_W-1];
+    reg [X_W-1:0] dividends[0:LATENCY-1];  // the operands at the last LATENCY enabled edges
+    reg [Y_W-1:0] divisors[0:LATENCY-1];
     integer       entered;             // enabled edges
     integer       oldest;
     integer       divisions;
@@ -112,11 +125,11 @@ module divider_tb;
 
     task compare;
         if (!wrong && ((divisors[oldest] * {{Y_W{1'b0}}, quotient} + remainder === dividends[oldest]) !== 1'b1
-                       || (remainder < divisors[oldest]) !== 1'b1 || divisor_out !== divisors[oldest])) begin
+                       || (remainder < divisors[oldest]) !== 1'b1 || beside !== ~divisors[oldest])) begin
             wrong      = 1'b1;
             mismatches = mismatches + 1;
-            $display("FAILED: %0d / %0d: quotient %0d, remainder %0d, divisor_o %0d", dividends[oldest],
-                     divisors[oldest], quotient, remainder, divisor_out);
+            $display("FAILED: %0d / %0d: quotient %0d, remainder %0d, beside %0d", dividends[oldest],
+                     divisors[oldest], quotient, remainder, ~beside);
         end
     endtask
 
@@ -137,10 +150,10 @@ module divider_tb;
         while ((more || divisions < used) && mismatches < 10) begin
             @(posedge clk);
             clock  = clock + 1;
-            oldest = entered % Q_W;
-            if (entered >= Q_W) compare;  // whether this edge is enabled or not
+            oldest = entered % LATENCY;
+            if (entered >= LATENCY) compare;  // whether this edge is enabled or not
             if (enable) begin
-                if (entered >= Q_W) begin
+                if (entered >= LATENCY) begin
                     divisions = divisions + 1;
                     wrong     = 1'b0;
                 end

@@ -17,24 +17,38 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[2]
 RTL = ROOT / "rtl"
 
+DIVIDER_WIDTHS = ((3, 1, 2), (3, 2, 2), (4, 2, 2), (3, 4, 2), (10, 5, 5), (9, 6, 5), (28, 26, 12), (34, 28, 16),
+                  (40, 30, 20), (61, 40, 31))
 MODULES = {
-    "glint_divider": (
-        "X_W Y_W Q_W",
-        ((3, 1, 2), (3, 2, 2), (4, 2, 2), (3, 4, 2), (10, 5, 5), (9, 6, 5), (28, 26, 12), (34, 28, 16), (40, 30, 20),
-         (61, 40, 31)),
-    ),
-    "glint_sqrt": ("Y_W", ((2,), (3,), (19,), (32,))),
-    "glint_delay": ("WIDTH STAGES", ((1, 1), (1, 2), (17, 1), (64, 40))),
+    "glint_divider": ("X_W Y_W Q_W DIVIDER BESIDE_W", [(*w, d, 1 + 2 * d) for w in DIVIDER_WIDTHS[::2] for d in range(4)]),
+    "glint_divider_restoring": ("X_W Y_W Q_W REGISTER_EVERY", [(*w, r) for w in DIVIDER_WIDTHS[2::3] for r in (2, 3, 32)]),
+    "glint_divider_radix4": ("X_W Y_W Q_W REGISTER_EVERY", [(*w, r) for w in DIVIDER_WIDTHS[2::3] for r in (2, 3, 32)]),
+    "glint_divider_reciprocal": ("X_W Y_W Q_W ZEROS MULTIPLIER_STAGES",
+                                 ((34, 28, 16, 9, 1), (34, 28, 16, 0, 2), (61, 40, 31, 39, 4))),
+    "glint_multiplier": ("A_W B_W SIGNED STAGES", [(a, b, signed, stages) for a, b in ((1, 1), (18, 16), (31, 40))
+                                                   for signed in (0, 1) for stages in (1, 2, 3, 4)]),
+    "glint_horner": ("S K O I DEGREE CLAMP ITERATIVE MULTIPLIER_STAGES",
+                     [(*w, clamp, iterative, stages) for w in ((15, 15, 12, 2, 3), (4, 4, 4, 1, 2), (30, 30, 28, 4, 6))
+                      for clamp in (0, 1) for iterative in (0, 1) for stages in (1, 3)]),
+    "glint_delay": ("WIDTH STAGES", ((1, 0), (1, 1), (1, 2), (17, 1), (64, 40))),
     "glint_skid": ("WIDTH", ((1,), (47,))),
-    "glint_ports": ("F LATENCY TAG_W", ((8, 2, 1), (18, 25, 17), (30, 50, 64))),
-    "glint_ratio": ("F S", ((8, 1), (8, 30), (18, 15), (30, 1), (30, 30))),
-    "glint_ratio_symmetric": ("F S", ((8, 1), (8, 30), (18, 15), (30, 1), (30, 30))),
-    "glint_power": ("S O SQUARES CHOICE", ((4, 4, 2, 1), (30, 28, 2, 1), (30, 4, 2, 1), (17, 12, 0, 0), (17, 12, 5, 0))),
-    "glint_log2": (
-        "F T L CUT", ((8, 4, 9, 0), (18, 5, 25, 0), (30, 10, 31, 0), (30, 4, 40, 0), (22, 4, 17, 6), (29, 6, 25, 5))),
-    "glint_exp2": ("I_W E S O", ((6, 2, 6, 4), (15, 3, 16, 12), (12, 6, 30, 28), (8, 3, 16, 20), (8, 2, 6, 28), (8, 3, 13, 12))),
-    "glint_parabola": ("R G V_W C1_W C2_W", ((1, 0, 10, 10, 10), (12, 0, 25, 22, 16), (13, 2, 17, 16, 14))),
-    "glint_square": ("S R", ((1, 1), (4, 1), (4, 7), (17, 17), (30, 4), (30, 30))),
+    "glint_ports": ("F LATENCY PRODUCTS QUOTIENT_W DIVIDER REGISTER_EVERY MULTIPLIER_STAGES TAG_W",
+                    ((8, 2, 0, 0, 0, 1, 1, 1), (18, 9, 4, 16, 0, 3, 3, 17), (30, 9, 0, 31, 1, 1, 1, 64),
+                     (18, 9, 4, 16, 2, 1, 1, 1), (18, 9, 4, 16, 3, 1, 4, 16))),
+    "glint_ratio": ("F S DIVIDER MULTIPLIER_STAGES", [(F, S, d, 1 + d) for F, S in ((8, 1), (8, 30), (18, 15), (30, 1), (30, 30))
+                                                      for d in range(4)]),
+    "glint_ratio_symmetric": ("F S DIVIDER MULTIPLIER_STAGES", [(F, S, d, 1 + d) for F, S in ((8, 1), (18, 15), (30, 30))
+                                                                for d in range(4)]),
+    "glint_power": ("S O SQUARES CHOICE MULTIPLIER_STAGES", ((4, 4, 2, 1, 1), (30, 28, 2, 1, 4), (30, 4, 2, 1, 1),
+                                                             (17, 12, 0, 0, 2), (17, 12, 5, 0, 1))),
+    "glint_log2": ("F T L CUT MULTIPLIER_STAGES", ((8, 4, 9, 0, 1), (18, 5, 25, 0, 3), (30, 10, 31, 0, 1), (30, 4, 40, 0, 2),
+                                                   (22, 4, 17, 6, 1), (29, 6, 25, 5, 1))),
+    "glint_exp2": ("I_W E S O MULTIPLIER_STAGES", ((6, 2, 6, 4, 1), (15, 3, 16, 12, 3), (12, 6, 30, 28, 1), (8, 3, 16, 20, 1),
+                                                   (8, 2, 6, 28, 1), (8, 3, 13, 12, 2))),
+    "glint_parabola": ("R G V_W C1_W C2_W MULTIPLIER_STAGES", ((1, 0, 10, 10, 10, 1), (12, 0, 25, 22, 16, 2),
+                                                               (13, 2, 17, 16, 14, 4))),
+    "glint_square": ("S R MULTIPLIER_STAGES", ((1, 1, 1), (4, 1, 2), (4, 7, 1), (17, 17, 3), (30, 4, 1), (30, 30, 4))),
+    "glint_sqrt": ("Y_W", ((2,), (3,), (19,), (32,))),
     "glint_stream": ("LATENCY TAG_W", ((2, 1), (25, 17), (50, 64))),
     "glint_dot": ("F", ((8,), (18,), (30,))),
     "glint_colour": ("O", ((4,), (12,), (28,))),
@@ -48,8 +62,12 @@ MODULES = {
     "glint_effect_cook_torrance": ("F T E O TAG_W", ((11, 4, 2, 8, 1), (17, 4, 2, 8, 16), (15, 6, 4, 16, 1), (25, 6, 4, 16, 64))),
     "glint_effect_cook_torrance_modified": (
         "F T E O TAG_W", ((11, 4, 2, 8, 1), (17, 4, 2, 8, 16), (15, 6, 4, 16, 1), (25, 6, 4, 16, 64))),
+    "glint_effect_oren_nayar": ("F O TAG_W", ((7, 4, 1), (8, 4, 16), (30, 27, 64))),
+    "glint_effect_ward": ("F T E O TAG_W", ((8, 4, 2, 4, 1), (30, 4, 2, 4, 16), (30, 6, 5, 20, 64))),
     "glint_axis": ("F O USER_W", ((8, 4, 1), (8, 28, 16), (30, 4, 1), (30, 28, 64))),
 }
+# The wrappers, with every divider, and with products of several clocks.
+ARCHITECTURES = [{"DIVIDER": d, "MULTIPLIER_STAGES": m} for d, m in ((1, 1), (2, 3), (3, 2), (0, 4))]
 
 
 class Failed(Exception):
@@ -160,13 +178,19 @@ def lint_damaged(tool, top, files, folder):
 
 def lint(tool, folders):
     table = file_table()
-    done = 0
+    done = damaged = 0
     with tempfile.TemporaryDirectory() as scratch:
         for folder in folders:
             for top, files in units(folder, table):
                 silent(command(tool, top, files, {}))
                 lint_damaged(tool, top, files, scratch)
                 done += 1
+                damaged += 1
+                if top.endswith("_p12") and "_axis_" not in top:
+                    divides = "parameter DIVIDER" in files[0].read_text()
+                    for parameters in ARCHITECTURES if divides else [{"MULTIPLIER_STAGES": 3}]:
+                        silent(command(tool, top, files, parameters))
+                        done += 1
     modules = 0
     for top, (names, sets) in MODULES.items():
         for values in sets:
@@ -177,9 +201,9 @@ def lint(tool, folders):
         if file.stem not in linted:
             raise Failed(f"{file} is in no unit that docs/rtl.md lists")
     lists = lint_file_lists(tool, table)
-    print(f"{tool}: {done} units, {modules} modules with parameters, {lists} lists of files: silent")
-    print(f"{tool}: {done} damaged units: found")
-    if done == 0 or modules == 0:
+    print(f"{tool}: {done} units and architectures, {modules} modules with parameters, {lists} lists of files: silent")
+    print(f"{tool}: {damaged} damaged units: found")
+    if damaged == 0 or modules == 0:
         raise Failed("nothing was linted")
 
 

@@ -93,21 +93,21 @@ class Checks:
     def bugs(self):
         good_at_full_speed = r"full speed:.*1000 vectors, 0 mismatches.*stalls:\nFAILED: vector .* mismatches"
         ports = "glint_ports.v"
-        advance = r"advance = ready_i \| ~valid_q\[LATENCY-1\]"
+        advance = r"advance = ready_i \| ~valid_q\[CLOCKS-1\]"
         self.planted("core", ports, advance, "advance = 1'b1", "FAILED: after 64 inputs")
         self.planted("core", ports, r"n_q        <= none \? 10'd1 : n_i", "n_q <= n_i", r"FAILED: vector \d+, n = 0,")
-        self.planted("core", "glint_bps.v", r"OFFSET_2 = \{C1, 1'b1", "OFFSET_2 = {C1, 1'b0",
+        self.planted("core", "glint_horner.v", r"\+:H_W\], 1'b1, ", "+:H_W], 1'b0, ",
                      r"FAILED: vector \d+, n = ")
-        self.planted("core", ports, r"STAGES\(LATENCY\)", "STAGES(LATENCY - 1)", r"FAILED: vector \d+, n = ")
+        self.planted("core", ports, r"STAGES\(CLOCKS\)", "STAGES(CLOCKS - 1)", r"FAILED: vector \d+, n = ")
         self.planted("core", ports, "assign valid_o   = rst_ni & ", "assign valid_o   = ",
                      "FAILED: in reset: valid is x")
         self.planted("core", ports, "assign ready_o   = rst_ni & ", "assign ready_o   = ",
                      "FAILED: in reset: valid is 0, ready is x")
         # A reset that leaves the results in flight: the first has the tag of the filling.
-        self.planted("core", ports, r"if \(!rst_ni\) valid_q <= \{LATENCY\{1'b0\}\};",
-                     "if (!rst_ni) valid_q <= (valid_q[0] === 1'b1) ? {LATENCY{1'b1}} : {LATENCY{1'b0}};",
+        self.planted("core", ports, r"if \(!rst_ni\) valid_q <= \{CLOCKS\{1'b0\}\};",
+                     "if (!rst_ni) valid_q <= (valid_q[0] === 1'b1) ? {CLOCKS{1'b1}} : {CLOCKS{1'b0}};",
                      "FAILED: vector 1, n = 0, .*tag 000000 1; expected .* ffffff 0")
-        self.planted("core", ports, r"\{valid_q\[LATENCY-2:0\], valid_i\}", "{valid_q[LATENCY-2:0], 1'b1}",
+        self.planted("core", ports, r"\{valid_q\[CLOCKS-2:0\], valid_i & room\}", "{valid_q[CLOCKS-2:0], 1'b1}",
                      "FAILED: clock .*: a result that no input had asked for")
         # The tag does not stop with the rest of the pipeline.
         self.planted("core", "glint_delay.v", r"if \(enable_i\) data_q <= stage", "data_q <= stage", good_at_full_speed)

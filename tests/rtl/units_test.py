@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
-"""The benches of glint_divider, glint_sqrt, glint_delay and glint_skid in Icarus, and bugs planted in copies of these
-modules, which the benches must find. With an argument, the unit of that name only."""
+"""The benches of the dividers, glint_sqrt, glint_multiplier, glint_delay and glint_skid in Icarus, and bugs planted in
+copies of these modules, which the benches must find. With an argument, the unit of that name only."""
 
+import re
 import sys
 import tempfile
 from pathlib import Path
@@ -18,37 +19,107 @@ def exhaustive(X_W, Y_W, Q_W):
     return sum(min(divisor << Q_W, 1 << X_W) for divisor in range(1, 1 << Y_W))
 
 
-def divider(X_W, Y_W, Q_W, divisions=0):
-    return {"X_W": X_W, "Y_W": Y_W, "Q_W": Q_W, "DIVISIONS": divisions}, divisions or exhaustive(X_W, Y_W, Q_W)
+def clocks(which, Q_W, rows=1, stages=1):
+    """The latency of a divider, as docs/rtl.md has it."""
+    if which == 0:
+        return -(-Q_W // rows)
+    if which == 1:
+        return 1 + -(-(-(-Q_W // 2)) // rows)
+    return 1 + stages + -(-Q_W // 16) * (2 * stages + 1)
 
 
-def divider_of(F, S):
-    """The divider of a lobe that divides C 2^S by D, as glint_bps has it."""
-    return divider(F + 1 + S, F + 10, S + 1, RANDOM_DIVISIONS)
+def divider(X_W, Y_W, Q_W, divisions=0, which=0, rows=1, stages=1):
+    return {"X_W": X_W, "Y_W": Y_W, "Q_W": Q_W, "DIVISIONS": divisions, "DIVIDER": which, "REGISTER_EVERY": rows,
+            "MULTIPLIER_STAGES": stages, "LATENCY": clocks(which, Q_W, rows, stages)}, divisions or exhaustive(X_W, Y_W, Q_W)
 
 
-# Per unit: what its bench counts, its parameters with the count that is expected, and the planted bugs.
+def of_lobe(F, S):
+    """The widths of the divider of a lobe that divides C 2^S by D, as glint_bps has it."""
+    return F + 1 + S, F + 10, S + 1
+
+
+# The least Q_W, the least and the greatest X_W, a divisor of one bit, more and fewer quotient bits than divisor bits.
+SMALL = ((3, 1, 2), (3, 2, 2), (4, 2, 2), (3, 4, 2), (7, 5, 2), (6, 1, 5), (10, 5, 5), (9, 6, 5), (11, 3, 8), (9, 7, 3),
+         (12, 6, 6), (9, 8, 3))
+LARGE = tuple(of_lobe(F, S) for F, S in ((16, 11), (18, 15), (20, 19), (8, 4), (30, 30)))
+
+
+def dividers(which, variants=()):
+    """Every operand at small widths, random ones at those of the lobes; variants: rows and stages."""
+    return [*(divider(*widths, which=which) for widths in SMALL),
+            *(divider(*widths, RANDOM_DIVISIONS, which) for widths in LARGE),
+            *(divider(*widths, RANDOM_DIVISIONS, which, rows, stages) for rows, stages in variants for widths in LARGE)]
+
+
+# Per unit: its bench, the file that holds it, what its bench counts, its parameters with the count that is expected, and
+# the planted bugs.
 UNITS = {
-    "divider": (
+    "restoring": (
+        "divider_tb", "glint_divider_restoring",
         "divisions",
+        dividers(0, ((2, 1), (3, 1), (32, 1))),
         [
-            # The least Q_W, the least and the greatest X_W, a divisor of one bit, more and fewer quotient bits than
-            # divisor bits.
-            *(divider(*widths) for widths in ((3, 1, 2), (3, 2, 2), (4, 2, 2), (3, 4, 2), (7, 5, 2), (6, 1, 5))),
-            *(divider(*widths) for widths in ((10, 5, 5), (9, 6, 5), (11, 3, 8), (9, 7, 3), (12, 6, 6), (9, 8, 3))),
-            *(divider_of(F, S) for F, S in ((16, 11), (18, 15), (20, 19), (8, 4), (30, 30))),
-        ],
-        [
-            (r"shifted >= \{1'b0, divisor\}", "shifted > {1'b0, divisor}"),
+            (r"fits = ~difference\[Y_W\+1\]", "fits = ~difference[Y_W+1] & |difference[Y_W:1]"),
             (r"shifted = \{remainder, bits\[Q_W-1\]\}", "shifted = {1'b0, remainder[Y_W-2:0], bits[Q_W-1]}"),
-            (r"divisor_q   <= divisor;", "divisor_q   <= divisor_i;"),
+            (r"beside_q     <= beside;", "beside_q     <= beside_i;"),
             (r"if \(enable_i\) begin", "begin"),
-            (r"assign quotient_o  = stage\[Q_W-1\]", "assign quotient_o  = stage[Q_W-2]"),
-            (r"assign remainder_o = stage\[Q_W-1\].remainder_q", "assign remainder_o = head"),
-            (r"\{bits\[Q_W-2:0\], fits\}", "{bits[Q_W-2:0], fits | divisor == 6}"),
+            (r"assign quotient_o  = row\[Q_W-1\]", "assign quotient_o  = row[Q_W-2]"),
+            (r"assign remainder_o = row\[Q_W-1\].remainder_next", "assign remainder_o = head"),
+            (r"1'b1\} \+ \{1'b1, complement, 1'b1\}", "1'b1} + {1'b1, complement, 1'b0}"),
+        ],
+    ),
+    "radix4": (
+        "divider_tb", "glint_divider_radix4",
+        "divisions",
+        dividers(1, ((2, 1), (3, 1))),
+        [
+            (r"fits_3 = ~less_3\[R_W\+1\]", "fits_3 = ~less_3[R_W+1] & |less_3[R_W:1]"),
+            (r"fits_2 \? fits_3 : fits_1\}", "fits_2 ? fits_3 : ~fits_1}"),
+            (r"<= ~three", "<= ~three + 1'b1"),
+            (r"beside_q    <= beside;", "beside_q    <= beside_i;"),
+            (r"\{2'b11, complement, 2'b11\}", "{2'b11, complement, 2'b10}"),
+        ],
+    ),
+    "iterative": (
+        "divider_iterative_tb", "glint_divider_iterative",
+        "divisions",
+        [({"X_W": X_W, "Y_W": Y_W, "Q_W": Q_W, "DIVISIONS": 1000}, 1000) for X_W, Y_W, Q_W in SMALL + LARGE],
+        [
+            (r"fits = ~difference\[Y_W\+1\]", "fits = ~difference[Y_W+1] & |difference[Y_W:1]"),
+            (r"left_q == 6'd1\)", "left_q == 6'd2)"),
+            (r"~start_i & \(left_q", "(left_q"),
+            (r"else if \(left_q != 6'd0\)", "else"),
+            (r"if \(enable_i\) begin", "begin"),
+        ],
+    ),
+    "reciprocal": (
+        "divider_tb", "glint_divider_reciprocal",
+        "divisions",
+        dividers(3, ((1, 2), (1, 4))),
+        [
+            (r"fits_2 = ~left_2\[L_W-1\]", "fits_2 = 1'b0"),
+            (r"fits_1 = ~left_1\[L_W-1\]", "fits_1 = ~left_1[L_W-1] & |left_1"),
+            (r"digit_1_q <= estimate \+ .*;", "digit_1_q <= estimate;"),
+            (r"whole_1_q <= whole - .*;", "whole_1_q <= whole;"),
+            (r"leading_zeros = 6'd0;", "leading_zeros = 6'd1;"),
+            (r"<< DROP\) - 64'd1\) >> DROP\) - 64'd1;", "<< DROP) - 64'd1) >> DROP) + 64'd99;"),
+            (r"beside_q  <= beside_2", "beside_q  <= beside_1"),
+        ],
+    ),
+    "multiplier": (
+        "multiplier_tb", "glint_multiplier",
+        "products",
+        [({"A_W": a, "B_W": b, "SIGNED": signed, "STAGES": stages, "PRODUCTS": 10000}, 10000)
+         for a, b in ((1, 1), (3, 2), (18, 16), (19, 10), (11, 31), (33, 31)) for signed in (0, 1) for stages in (1, 2, 3, 4)],
+        [
+            (r"\{\{SLICE_W\{a_i\[A_W-1\]\}\}, a_i\}", "{{SLICE_W{1'b0}}, a_i}"),
+            (r"sign = SIGNED != 0 \? low\[A_W\+LOW_W-1\] : 1'b0", "sign = 1'b0"),
+            (r"high = level\[j-1\].node\[2\*k\+1\]", "high = level[j-1].node[2*k]"),
+            (r"if \(enable_i\) product_q <= \{high", "product_q <= {high"),
         ],
     ),
     "sqrt": (
+        "sqrt_tb", "glint_sqrt",
         "roots",
         [
             *(({"Y_W": bits, "ROOTS": 0}, 4**bits) for bits in (2, 3, 4, 7)),
@@ -65,6 +136,7 @@ UNITS = {
         ],
     ),
     "delay": (
+        "delay_tb", "glint_delay",
         "items",
         [
             ({"WIDTH": width, "STAGES": stages, "ITEMS": 10000}, 10000)
@@ -77,6 +149,7 @@ UNITS = {
         ],
     ),
     "skid": (
+        "skid_tb", "glint_skid",
         "items",
         [({"WIDTH": width, "ITEMS": 10000}, 10000) for width in (1, 8, 47, 64)],
         [
@@ -94,18 +167,25 @@ UNITS = {
     ),
 }
 # Planted bugs are looked for with these parameters, an index of the list above.
-HUNTED = {"divider": (6, 13), "sqrt": (3, 5), "delay": (3,), "skid": (1,)}
+HUNTED = {"restoring": (6, 13), "radix4": (6, 13), "iterative": (6, 13), "reciprocal": (10, 13), "multiplier": (15,),
+          "sqrt": (3, 5), "delay": (3,), "skid": (1,)}
 
 
 def simulate(folder, rtl, unit, parameters):
     executable = Path(folder) / "bench"
-    bench = f"{unit}_tb"
-    icarus.build(executable, bench, [HERE / f"{bench}.v", rtl / f"glint_{unit}.v"], parameters)
+    bench, top = UNITS[unit][0], "glint_divider" if "DIVISIONS" in parameters else UNITS[unit][1]
+    files, left = [HERE / f"{bench}.v"], [top]
+    while left:
+        file = rtl / f"{left.pop()}.v"
+        if file not in files:
+            files.append(file)
+            left += re.findall(r"^ +(glint_\w+) #\($", file.read_text(), re.MULTILINE)
+    icarus.build(executable, bench, files, parameters)
     return icarus.run(executable)
 
 
 def check(unit, folder):
-    things, runs, bugs = UNITS[unit]
+    _, module, things, runs, bugs = UNITS[unit]
     done = 0
     total = 0
     for parameters, expected in runs:
@@ -114,16 +194,16 @@ def check(unit, folder):
         total += expected
     found = 0
     for number, (pattern, replacement) in enumerate(bugs):
-        rtl = icarus.planted(Path(folder) / f"{unit}{number}", f"glint_{unit}.v", pattern, replacement)
+        rtl = icarus.planted(Path(folder) / f"{unit}{number}", f"{module}.v", pattern, replacement)
         for index in HUNTED[unit]:
             output = simulate(folder, rtl, unit, runs[index][0])
             if icarus.counts(output, things)[1] == 0 or "FAILED: " not in output:
-                bug = f"'{replacement}' for '{pattern}' in glint_{unit}.v"
+                bug = f"'{replacement}' for '{pattern}' in {module}.v"
                 raise icarus.Failed(f"not found with {runs[index][0]}: {bug}\n{output}")
             found += 1
-    print(f"glint_{unit}: {done} sets of parameters, {total} {things}, 0 mismatches; {found} planted bugs found")
+    print(f"{module}: {done} sets of parameters, {total} {things}, 0 mismatches; {found} planted bugs found")
     if done == 0 or total == 0 or found == 0:
-        raise icarus.Failed(f"nothing was checked of glint_{unit}")
+        raise icarus.Failed(f"nothing was checked of {module}")
 
 
 def main():

@@ -38,7 +38,8 @@ TEST_CASE("the committed generated files are those of the model, and every shipp
             std::string profile = match[2];
             std::replace(profile.begin(), profile.end(), '_', ',');
             std::size_t found = 0;
-            for (const GeneratedFile& file : find_lobe(match[1].str()).emit(parse_profile(profile))) {
+            const Lobe& lobe = find_lobe(match[1].str());
+            for (const GeneratedFile& file : lobe.emit(parse_profile(profile), default_architecture(lobe))) {
                 if (file.name != name || static_cast<std::size_t>(file.target) != target) continue;
                 CHECK(contents(entry.path()) == file.text);
                 ++found;
@@ -49,7 +50,7 @@ TEST_CASE("the committed generated files are those of the model, and every shipp
     }
     for (const Lobe& lobe : lobes()) {
         for (const Profile& profile : shipped_profiles()) {
-            for (const GeneratedFile& file : lobe.emit(profile)) {
+            for (const GeneratedFile& file : lobe.emit(profile, default_architecture(lobe))) {
                 CAPTURE(file.name);
                 CHECK(committed.count(file.name) == 1);
             }

@@ -198,7 +198,8 @@ TEST_CASE("log2, exp2: no entry of any legal table lies near a half") {
             // The entries depend on T and L alone.
             CHECK_NOTHROW(make_pieces(log2_1p, T, 1, L, 0));
             const int F = std::max(8, T + 1);
-            CHECK_NOTHROW(find_lobe("gauss").emit(Profile{"", F, 5, {F, T, L, 2, 6, 5}, ""}));
+            CHECK_NOTHROW(find_lobe("gauss").emit(Profile{"", F, 5, {F, T, L, 2, 6, 5}, ""},
+                                                  default_architecture(find_lobe("gauss"))));
         }
     }
     for (int E = 2; E <= 8; ++E) {
@@ -212,7 +213,7 @@ TEST_CASE("blinn_phong, spherical_gaussian, gauss: illegal word lengths are refu
     const auto refused = [](const char* lobe, const char* profile) {
         CAPTURE(lobe, profile);
         CHECK_THROWS_AS(find_lobe(lobe).golden(parse_profile(profile)), Error);
-        CHECK_THROWS_AS(find_lobe(lobe).emit(parse_profile(profile)), Error);
+        CHECK_THROWS_AS(find_lobe(lobe).emit(parse_profile(profile), default_architecture(find_lobe(lobe))), Error);
     };
     for (const char* lobe : {"blinn_phong", "gauss"}) {
         CHECK_NOTHROW(find_lobe(lobe).golden(parse_profile("18,5,25,3,16,12")));

@@ -4,6 +4,7 @@
 #include <memory>
 #include <string>
 
+#include "glint/architecture.hpp"
 #include "glint/emit.hpp"
 #include "glint/golden.hpp"
 
@@ -31,6 +32,6 @@ std::string bps_gappa_script(const Profile& profile);
 
 /// The Verilog wrappers, the HLS header and the Gappa script with the constants of a profile. Throws Error as
 /// bps_format does.
-std::vector<GeneratedFile> emit_bps(const Profile& profile);
+std::vector<GeneratedFile> emit_bps(const Profile& profile, const Architecture& architecture);
 
 }  // namespace glint

@@ -81,6 +81,9 @@ protected:
         : effect_(effect), profile_(std::move(profile)), inputs_(std::move(inputs)), outputs_(std::move(outputs)) {}
 
 private:
+    /// Cuts codes to the legal ranges of their ports; true where that changed any. An effect that is made of others may
+    /// leave that to them, and say only whether they do.
+    virtual bool correct(std::int64_t* in) const;
     /// The effect for codes that are cut to their ports' legal ranges: a code per output port.
     virtual void value(const std::int64_t* in, std::int64_t* out) const = 0;
     /// The same with every intermediate value, the outputs last.

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "glint/architecture.hpp"
 #include "glint/emit.hpp"
 #include "glint/golden.hpp"
 #include "glint/hard_cases.hpp"
@@ -21,9 +22,11 @@ struct Lobe {
     double (*reference)(double c, double n);
     /// Throws Error when the profile is not legal for the lobe; so does `emit`.
     std::unique_ptr<GoldenModel> (*golden)(const Profile&);
-    std::vector<GeneratedFile> (*emit)(const Profile&);
+    /// The architecture sets the defaults of the wrappers' parameters.
+    std::vector<GeneratedFile> (*emit)(const Profile&, const Architecture&);
     std::vector<HardCase> (*hard_cases)(const GoldenModel&);
     std::string_view options = {};  ///< what may follow the name after a ':'; empty: nothing
+    bool divider = false;           ///< its unit divides: the divider can be chosen
 };
 
 /// All lobes, in the order of lobes.def.

@@ -225,7 +225,7 @@ Effect ward_effect() {
             make_ward,
             emit_ward,
             ward_cases,
-            1.25,
+            1.3,
             false};
 }
 

@@ -40,10 +40,10 @@ std::unique_ptr<GoldenModel> make_blinn_phong(const Profile& profile) {
     return std::make_unique<PlainModel<BlinnPhongFormat>>(profile, blinn_phong_format(profile));
 }
 
-std::vector<GeneratedFile> emit_blinn_phong(const Profile& profile) {
+std::vector<GeneratedFile> emit_blinn_phong(const Profile& profile, const Architecture& architecture) {
     const BlinnPhongFormat f = blinn_phong_format(profile);
     const auto text = [](int value) { return std::to_string(value); };
-    return generated_sources(f.lobe, profile,
+    return generated_sources(f.lobe, profile, architecture,
                              {{"F", text(f.log2.F), ""},
                               {"T", text(f.log2.T), ""},
                               {"L", text(f.log2.L), ""},

@@ -179,10 +179,15 @@ BpsFormat bps_format(const Profile& profile) {
 Lobe bps_lobe();
 
 Lobe bps_lobe() {
-    return {"bps",         "a s^3 + b s^2 + c1 s + d0, s = c / (n - n c + c)",
-            "F,S,K,O",     reference::bps_horner,
-            make_bps,      emit_bps,
-            bps_hard_cases};
+    return {"bps",
+            "a s^3 + b s^2 + c1 s + d0, s = c / (n - n c + c)",
+            "F,S,K,O",
+            reference::bps_horner,
+            make_bps,
+            emit_bps,
+            bps_hard_cases,
+            {},
+            true};
 }
 
 std::unique_ptr<GoldenModel> make_bps(const Profile& profile) {

@@ -5,12 +5,12 @@
 
 namespace glint {
 
-std::vector<GeneratedFile> emit_bps(const Profile& profile) {
+std::vector<GeneratedFile> emit_bps(const Profile& profile, const Architecture& architecture) {
     const BpsFormat f = bps_format(profile);
     // The constants of f_bps are below 4 in magnitude, with 1.0 as 2^K: K + 3 bits with the sign.
     const auto literal = [&](std::int64_t value) { return verilog_literal(value, f.K + 3); };
     const auto text = [](std::int64_t value) { return std::to_string(value); };
-    auto files = generated_sources("bps", profile,
+    auto files = generated_sources("bps", profile, architecture,
                                    {{"F", text(f.F), ""},
                                     {"S", text(f.S), ""},
                                     {"K", text(f.K), ""},

@@ -167,13 +167,13 @@ r4 * r4 - s4 * s4 -> (r4 - s4) * (r4 + s4);
                        fmt::arg("F", f.F), fmt::arg("S", f.S), fmt::arg("O", f.O), fmt::arg("tail", 8 * (f.F + 3)));
 }
 
-std::vector<GeneratedFile> emit_cayley(const Profile& profile) {
+std::vector<GeneratedFile> emit_cayley(const Profile& profile, const Architecture& architecture) {
     const CayleyFormat f = cayley_format(profile);
     const std::vector<Constant> parameters{{"F", std::to_string(f.F), ""},
                                            {"A", std::to_string(f.a), ""},
                                            {"S", std::to_string(f.S), ""},
                                            {"O", std::to_string(f.O), ""}};
-    auto files = generated_sources("cayley", profile, parameters,
+    auto files = generated_sources("cayley", profile, architecture, parameters,
                                    {{"int F", std::to_string(f.F), "fraction bits of the cosine"},
                                     {"int A", std::to_string(f.a), "0: the lobe; else the power of the plain formula"},
                                     {"int S", std::to_string(f.S), "fraction bits of the base and its powers"},
@@ -233,11 +233,15 @@ std::vector<HardCase> cayley_hard_cases(const GoldenModel& model) {
 Lobe cayley_lobe();
 
 Lobe cayley_lobe() {
-    return {
-        "cayley",         "(max(0, 16 c - 15/16 m d) / (16 + 273/256 m d))^8, m = n - 8, d = 1 - c; c^n for n = 1 .. 6",
-        "F,a,S,O",        cayley_reference,
-        make_cayley,      emit_cayley,
-        cayley_hard_cases};
+    return {"cayley",
+            "(max(0, 16 c - 15/16 m d) / (16 + 273/256 m d))^8, m = n - 8, d = 1 - c; c^n for n = 1 .. 6",
+            "F,a,S,O",
+            cayley_reference,
+            make_cayley,
+            emit_cayley,
+            cayley_hard_cases,
+            {},
+            true};
 }
 
 }  // namespace glint

@@ -123,11 +123,11 @@ y - f -> (y - p{last} * p{last}) + (p{last} - {real}) * (p{last} + {real});
                     fmt::arg("claims", claims), fmt::arg("questions", questions), fmt::arg("rules", rules)));
 }
 
-std::vector<GeneratedFile> emit_cosine_power(const Profile& profile) {
+std::vector<GeneratedFile> emit_cosine_power(const Profile& profile, const Architecture& architecture) {
     const CosinePowerFormat f = cosine_power_format(profile);
     const auto text = [](int x) { return std::to_string(x); };
     auto files = generated_sources(
-        CosinePowerFormat::lobe, profile,
+        CosinePowerFormat::lobe, profile, architecture,
         {{"F", text(f.F), ""}, {"LOG2_A", text(f.log2_a), ""}, {"S", text(f.S), ""}, {"O", text(f.O), ""}},
         {{"int F", text(f.F), "fraction bits of the cosine"},
          {"int LOG2_A", text(f.log2_a), "the lobe is a power of exponent a = 2^LOG2_A"},

@@ -73,10 +73,10 @@ std::unique_ptr<GoldenModel> make_gauss(const Profile& profile) {
     return std::make_unique<PlainModel<GaussFormat>>(profile, gauss_format(profile));
 }
 
-std::vector<GeneratedFile> emit_gauss(const Profile& profile) {
+std::vector<GeneratedFile> emit_gauss(const Profile& profile, const Architecture& architecture) {
     const GaussFormat f = gauss_format(profile);
     const auto text = [](int value) { return std::to_string(value); };
-    return generated_sources(f.lobe, profile,
+    return generated_sources(f.lobe, profile, architecture,
                              {{"F", text(f.F), ""},
                               {"T", text(f.T), ""},
                               {"L", text(f.L), ""},

@@ -113,10 +113,10 @@ GeneratedFile constants_header(const HeaderNames& names, const Profile& profile,
 /// A signed Verilog literal of `width` bits. Legal: |value| < 2^(width - 1).
 std::string verilog_literal(std::int64_t value, int width);
 
-/// The Verilog wrappers of the unit and of its AXI4-Stream form, with the parameters set and the tables beside the
-/// unit, and the HLS header of constants.
+/// The Verilog wrappers of the unit and of its AXI4-Stream form, with the parameters set, those of the architecture as
+/// parameters of the wrapper, and the tables beside the unit; and the HLS header of constants.
 std::vector<GeneratedFile> generated_sources(std::string_view lobe, const Profile& profile,
-                                             const std::vector<Constant>& parameters,
+                                             const Architecture& architecture, const std::vector<Constant>& parameters,
                                              const std::vector<Constant>& hls_constants,
                                              const std::vector<Table>& tables = {});
 

@@ -247,7 +247,7 @@ error $ s in 256;
                                                    "s -> 1 - n * (1 - C) / D { D <> 0 };\n")));
 }
 
-std::vector<GeneratedFile> emit_polynomial(const Profile& profile) {
+std::vector<GeneratedFile> emit_polynomial(const Profile& profile, const Architecture& architecture) {
     const PolynomialFormat f = polynomial_format(profile);
     const auto text = [](auto x) { return std::to_string(x); };
     const std::string variable = text(f.polynomial.variable == Variable::symmetric ? 1 : 0);
@@ -268,7 +268,7 @@ std::vector<GeneratedFile> emit_polynomial(const Profile& profile) {
         kernel.push_back({fmt::format("std::int64_t k{}", i), text(used ? f.k[i] : 0),
                           used ? fmt::format("{}", f.polynomial.coefficients[i]) : "not used"});
     }
-    auto files = generated_sources(PolynomialFormat::lobe, profile,
+    auto files = generated_sources(PolynomialFormat::lobe, profile, architecture,
                                    {{"F", text(f.F), ""},
                                     {"S", text(f.S), ""},
                                     {"K", text(f.K), ""},
@@ -323,7 +323,8 @@ Lobe polynomial_lobe() {
             make_polynomial,
             emit_polynomial,
             polynomial_hard_cases,
-            "VARIABLE:k0:k1:..."};
+            "VARIABLE:k0:k1:...",
+            true};
 }
 
 }  // namespace glint

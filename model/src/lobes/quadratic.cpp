@@ -61,10 +61,10 @@ std::unique_ptr<GoldenModel> make_quadratic(const Profile& profile) {
     return std::make_unique<PlainModel<QuadraticFormat>>(profile, quadratic_format(profile));
 }
 
-std::vector<GeneratedFile> emit_quadratic(const Profile& profile) {
+std::vector<GeneratedFile> emit_quadratic(const Profile& profile, const Architecture& architecture) {
     const QuadraticFormat f = quadratic_format(profile);
     const auto text = [](std::int64_t x) { return std::to_string(x); };
-    auto files = generated_sources(QuadraticFormat::lobe, profile,
+    auto files = generated_sources(QuadraticFormat::lobe, profile, architecture,
                                    {{"F", text(f.F), ""},
                                     {"S", text(f.S), ""},
                                     {"K", text(f.K), ""},

@@ -40,9 +40,10 @@ std::unique_ptr<GoldenModel> make_schlick(const Profile& profile) {
     return std::make_unique<PlainModel<SchlickFormat>>(profile, schlick_format(profile));
 }
 
-std::vector<GeneratedFile> emit_schlick(const Profile& profile) {
+std::vector<GeneratedFile> emit_schlick(const Profile& profile, const Architecture& architecture) {
     const SchlickFormat f = schlick_format(profile);
-    auto files = generated_sources("schlick", profile, {{"F", std::to_string(f.F), ""}, {"O", std::to_string(f.O), ""}},
+    auto files = generated_sources("schlick", profile, architecture,
+                                   {{"F", std::to_string(f.F), ""}, {"O", std::to_string(f.O), ""}},
                                    {{"int F", std::to_string(f.F), "fraction bits of the cosine"},
                                     {"int O", std::to_string(f.O), "fraction bits of the output"}});
     files.push_back(gappa_script("schlick", profile, fmt::format("F, O: {}, {}", f.F, f.O),
@@ -76,7 +77,9 @@ s -> 1 - n * (1 - C) / D {{ D <> 0 }};
 Lobe schlick_lobe();
 
 Lobe schlick_lobe() {
-    return {"schlick", "c / (n - n c + c)", "F,O", reference::schlick, make_schlick, emit_schlick, common_hard_cases};
+    return {
+        "schlick", "c / (n - n c + c)", "F,O", reference::schlick, make_schlick, emit_schlick, common_hard_cases, {},
+        true};
 }
 
 }  // namespace glint

@@ -68,11 +68,11 @@ std::unique_ptr<GoldenModel> make_spherical_gaussian(const Profile& profile) {
     return std::make_unique<PlainModel<SphericalGaussianFormat>>(profile, spherical_gaussian_format(profile));
 }
 
-std::vector<GeneratedFile> emit_spherical_gaussian(const Profile& profile) {
+std::vector<GeneratedFile> emit_spherical_gaussian(const Profile& profile, const Architecture& architecture) {
     const SphericalGaussianFormat f = spherical_gaussian_format(profile);
     const auto text = [](std::int64_t value) { return std::to_string(value); };
     // a = 1.44 2^K and b = 1.12 2^K: K + 1 bits.
-    return generated_sources(f.lobe, profile,
+    return generated_sources(f.lobe, profile, architecture,
                              {{"F", text(f.F), ""},
                               {"K", text(f.K), ""},
                               {"E", text(f.exp2.E), ""},

@@ -162,7 +162,7 @@ r8 * r8 - s8 * s8 -> (r8 - s8) * (r8 + s8);
                        fmt::arg("E", f.E), fmt::arg("S", f.S), fmt::arg("O", f.O));
 }
 
-std::vector<GeneratedFile> emit_taylor(const Profile& profile) {
+std::vector<GeneratedFile> emit_taylor(const Profile& profile, const Architecture& architecture) {
     const TaylorFormat f = taylor_format(profile);
     const std::string a = std::to_string(1 << f.log_a);
     const std::vector<Constant> parameters{{"F", std::to_string(f.F), ""},
@@ -170,7 +170,7 @@ std::vector<GeneratedFile> emit_taylor(const Profile& profile) {
                                            {"E", std::to_string(f.E), ""},
                                            {"S", std::to_string(f.S), ""},
                                            {"O", std::to_string(f.O), ""}};
-    auto files = generated_sources("taylor", profile, parameters,
+    auto files = generated_sources("taylor", profile, architecture, parameters,
                                    {{"int F", std::to_string(f.F), "fraction bits of the cosine"},
                                     {"int A", a, "the power"},
                                     {"int E", std::to_string(f.E), "fraction bits of e"},

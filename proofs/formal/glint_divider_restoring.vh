@@ -1,4 +1,4 @@
-// Included at the end of a copy of glint_divider.
+// Included at the end of a copy of glint_divider_restoring.
 
 `ifdef PROVE_DIVIDER
 
@@ -13,23 +13,25 @@ localparam STAGES = Q_W;
 wire [STAGES-1:0] step_ok, moves_ok;
 generate
     for (i = 0; i < STAGES; i = i + 1) begin : lemma
-        wire [Y_W+1:0] twice = {stage[i].remainder, 1'b0} + stage[i].bits[Q_W-1];
-        wire [Y_W+1:0] taken = stage[i].fits ? stage[i].divisor : 0;
-        assign step_ok[i] = stage[i].remainder >= stage[i].divisor
-            || (stage[i].reduced < stage[i].divisor && twice - taken == stage[i].reduced);
+        wire [Y_W-1:0] row_divisor = ~row[i].complement;  // at this width
+        wire [Y_W-1:0] row_divisor_next = ~row[i].complement_next;
+        wire [Y_W+1:0] twice = {row[i].remainder, 1'b0} + row[i].bits[Q_W-1];
+        wire [Y_W+1:0] taken = row[i].fits ? row_divisor : 0;
+        assign step_ok[i] = row[i].remainder >= row_divisor
+            || (row[i].reduced < row_divisor && twice - taken == row[i].reduced);
 
         // What the registers of the stage must hold now: what they were given at the last enabled clock.
         reg [Y_W-1:0] reduced_q, divisor_q;
         reg [Q_W-1:0] bits_q;
         always @(posedge clk_i) begin
             if (enable_i) begin
-                reduced_q <= stage[i].reduced;
-                divisor_q <= stage[i].divisor;
-                bits_q    <= {stage[i].bits, stage[i].fits};
+                reduced_q <= row[i].reduced;
+                divisor_q <= row_divisor;
+                bits_q    <= {row[i].bits, row[i].fits};
             end
         end
-        assign moves_ok[i] = stage[i].remainder_q == reduced_q && stage[i].divisor_q == divisor_q
-            && stage[i].bits_q == bits_q;
+        assign moves_ok[i] = row[i].remainder_next == reduced_q && row_divisor_next == divisor_q
+            && row[i].bits_next == bits_q;
     end
 endgenerate
 
@@ -54,26 +56,28 @@ localparam BOOK_W = Y_W + 2 * Q_W + 2;  // |dividend - quotient * divisor| < 2^(
 reg              watching;
 reg    [X_W-1:0] dividend;
 reg    [Y_W-1:0] divisor;
-reg        [7:0] place;   // the stage whose registers hold the watched operands
+reg        [7:0] place;   // the row whose registers hold the watched operands
 reg    [Q_W-1:0] found;   // the quotient bits so far
 reg [BOOK_W-1:0] books;
+reg [BESIDE_W-1:0] beside;  // what came in beside the operands
 initial {watching} = 0;
 
 wire [Q_W-1:0] fits, place_ok;
 generate
     for (i = 0; i < Q_W; i = i + 1) begin : chain
         localparam [Q_W-1:0] SEEN = (1 << (i + 1)) - 1;  // where the quotient bits are; dividend bits wait above
-        wire     [Q_W-1:0] seen = stage[i].bits_q & SEEN;
-        wire     [Q_W-1:0] waiting = stage[i].bits_q & ~SEEN;
-        assign fits[i] = stage[i].fits;
-        assign place_ok[i] = place != i || (stage[i].divisor_q == divisor && stage[i].remainder_q < divisor
+        wire     [Q_W-1:0] seen = row[i].bits_next & SEEN;
+        wire     [Y_W-1:0] row_divisor_next = ~row[i].complement_next;
+        wire     [Q_W-1:0] waiting = row[i].bits_next & ~SEEN;
+        assign fits[i] = row[i].fits;
+        assign place_ok[i] = place != i || (row_divisor_next == divisor && row[i].remainder_next < divisor
 `ifdef MULTIPLY
-            && seen * divisor + {{Q_W{1'b0}}, stage[i].remainder_q} == dividend >> (Q_W - 1 - i)
+            && seen * divisor + {{Q_W{1'b0}}, row[i].remainder_next} == dividend >> (Q_W - 1 - i)
             && waiting == ({{Q_W{1'b0}}, dividend} << (i + 1) & {Q_W{1'b1}})
 `else
-            && seen == found && books == {stage[i].remainder_q, waiting}
+            && seen == found && books == {row[i].remainder_next, waiting}
 `endif
-            );
+            && row[i].beside_next == beside);
     end
 endgenerate
 
@@ -86,6 +90,7 @@ always @(posedge clk_i) begin
             watching <= in_contract;
             dividend <= dividend_i;
             divisor  <= divisor_i;
+            beside   <= beside_i;
             place    <= 0;
             found    <= fits[0];
             books    <= {dividend_i, 1'b0} - (fits[0] ? {divisor_i, {Q_W{1'b0}}} : 0);
@@ -100,11 +105,11 @@ end
 
 // Without enable nothing moves.
 reg                   held_q;
-reg [Q_W+2*Y_W-1:0] outputs_q;
+reg [Q_W+Y_W+BESIDE_W-1:0] outputs_q;
 initial held_q = 0;
 always @(posedge clk_i) begin
     held_q    <= ~enable_i;
-    outputs_q <= {quotient_o, remainder_o, divisor_o};
+    outputs_q <= {quotient_o, remainder_o, beside_o};
 end
 
 always @* begin
@@ -115,14 +120,14 @@ always @* begin
 `else
         divides: assert (quotient_o == found && books == {remainder_o, {Q_W{1'b0}}} && remainder_o < divisor);
 `endif
-        divisor_kept: assert (divisor_o == divisor);
+        beside_kept: assert (beside_o == beside);
     end
-    if (held_q) holds: assert ({quotient_o, remainder_o, divisor_o} == outputs_q);
+    if (held_q) holds: assert ({quotient_o, remainder_o, beside_o} == outputs_q);
     if (watching) inv_place: assert (place < Q_W && &place_ok);
 
     cover_all_ones: cover (watching && place == Q_W - 1 && &quotient_o && remainder_o != 0 && held_q);
     cover_top:      cover (watching && place == Q_W - 1 && quotient_o == 1 << (Q_W - 1) && remainder_o == 0);
-    cover_largest:  cover (watching && place == Q_W - 1 && &divisor_o && remainder_o == divisor_o - 1);
+    cover_largest:  cover (watching && place == Q_W - 1 && &divisor && remainder_o == divisor - 1);
     cover_zero:     cover (watching && place == Q_W - 1 && quotient_o == 0 && remainder_o == 0);
 end
 

@@ -1,0 +1,29 @@
+// Prices of units on FPGAs: which units, and how the parts of the flow make a point.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "fpga_points.hpp"
+#include "glint/parallel.hpp"
+
+namespace glint::cli {
+
+struct FpgaOptions {
+    std::string lobe = "bps";
+    std::string profile = "p12";
+    std::string architecture;  ///< a list, or all; empty: the default one of each lobe
+    std::string device = "hx8k";
+    std::string dsp = "on";
+    std::string seeds = "1,2,3";
+    std::string rtl = "rtl";
+    std::string cache = "build/cost-cache";
+    std::string json;
+    unsigned jobs = 1;
+};
+
+/// Prices every combination, merges the points into `json` unless that is empty, and prints the table. The exit status.
+/// Throws Error.
+int run_fpga(const FpgaOptions& options);
+
+}  // namespace glint::cli

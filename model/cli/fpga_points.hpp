@@ -1,0 +1,49 @@
+// The prices that `glint cost --fpga` finds: one point a unit and device, and the file that holds them.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "fpga_device.hpp"
+
+namespace glint::cli {
+
+struct FpgaPoint {
+    std::string lobe;  ///< with its options
+    std::string profile;
+    std::string architecture;
+    std::string device;
+    bool dsp = false;     ///< products may use DSPs
+    Resources resources;  ///< of the unit: those of the harness are taken off
+    int cells = 0;        ///< of the unit, after packing (Family::cell); 0: it was not placed
+    bool routed = false;  ///< the device has a router; else what follows is not known
+    bool fits = false;
+    std::string why;                 ///< it does not fit
+    std::vector<double> clocks_mhz;  ///< after place and route, one a seed
+    bool harness_limits = false;     ///< with one of the seeds the critical path is in the harness alone
+    int latency = 0;                 ///< clocks
+    int interval = 0;                ///< clocks between two results
+    nlohmann::ordered_json error;    ///< of a rival: against c^n; null for the lobes
+    std::string hash;                ///< of the sources, the options and the seeds
+
+    double clock_mhz() const;  ///< the median; 0 when there is none
+    double latency_ns() const;
+    double results_per_second() const;
+};
+
+/// By tool: the version.
+using ToolVersions = std::map<std::string, std::string>;
+
+/// The text of the file `path` (format "glint-cost-fpga-1") with these points in it: those of the same unit and device
+/// are replaced, the others stay. A file that is not there is empty. Throws Error: it is no such file, or its prices
+/// come from another version of a tool.
+std::string merged(const std::filesystem::path& path, const ToolVersions& tools, const std::vector<FpgaPoint>& points);
+
+/// One line a point.
+std::string points_table(const std::vector<FpgaPoint>& points);
+
+}  // namespace glint::cli

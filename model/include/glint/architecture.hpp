@@ -1,0 +1,30 @@
+// How a unit of Verilog is built. Every architecture of a unit gives the same bits; they differ in clocks and area.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace glint {
+
+struct Lobe;
+
+struct Architecture {
+    std::string name;  ///< canonical: what is as in the default is left out, e.g. "restoring", "radix4:r2:m3"
+    /// Of the unit and of its wrappers, as in docs/rtl.md: DIVIDER (0 restoring, 1 radix4, 2 iterative, 3 reciprocal)
+    /// and REGISTER_EVERY for a lobe with a divider, MULTIPLIER_STAGES for all.
+    std::vector<std::pair<std::string, int>> parameters;
+
+    friend bool operator==(const Architecture&, const Architecture&) = default;
+};
+
+/// For a lobe with a divider "DIVIDER[:rN][:mN]" with DIVIDER one of restoring, radix4, iterative, reciprocal; for
+/// others "pipelined[:mN]". rN, of restoring and radix4: a register after every N rows of the divider, 1 to 32; mN: a
+/// product takes N clocks, 1 to 4. Both are 1 where they are left out. Throws Error.
+Architecture parse_architecture(const Lobe& lobe, std::string_view text);
+
+/// "restoring", or "pipelined" for a lobe without a divider.
+Architecture default_architecture(const Lobe& lobe);
+
+}  // namespace glint

@@ -1,0 +1,189 @@
+#include <algorithm>
+#include <filesystem>
+
+#include "catch.hpp"
+#include "common.hpp"
+#include "fpga_flow.hpp"
+#include "fpga_points.hpp"
+#include "fpga_table.hpp"
+#include "glint/error.hpp"
+#include "glint/lobes.hpp"
+
+using namespace glint;
+using namespace glint::cli;
+
+namespace {
+
+const std::filesystem::path rtl = std::filesystem::path(GLINT_SOURCE_DIR) / "rtl";
+
+/// What a unit takes of a device, with the harness taken off.
+Resources priced(Flow& flow, const Unit& unit, const Device& device, bool dsp = true) {
+    std::vector<Source> sources;
+    sources.push_back({unit.module + ".v", read_file(rtl / (unit.module + ".v"))});
+    sources.push_back({"glint_harness.v", harness(unit)});
+    const Resources whole = Flow::Netlist(flow, sources, device, dsp).resources();
+    const Resources alone = Flow::Netlist(flow, {{"glint_harness.v", harness_alone(unit)}}, device, dsp).resources();
+    return {whole.luts - alone.luts, whole.registers - alone.registers, whole.carries - alone.carries,
+            whole.dsps - alone.dsps, whole.brams - alone.brams};
+}
+
+Unit delay(int width, int stages) {
+    return {"glint_delay",
+            ".WIDTH(" + std::to_string(width) + "), .STAGES(" + std::to_string(stages) + ")",
+            {{"enable_i"}, {"data_i", width}},
+            {{"data_o", width}}};
+}
+
+FpgaPoint point(const std::string& lobe, int luts) {
+    FpgaPoint out;
+    out.lobe = lobe;
+    out.profile = "p12";
+    out.architecture = "restoring";
+    out.device = "hx8k";
+    out.resources.luts = luts;
+    out.routed = out.fits = true;
+    out.clocks_mhz = {70.0, 90.0, 80.0};
+    out.latency = 20;
+    out.interval = 2;
+    return out;
+}
+
+}  // namespace
+
+TEST_CASE("harness: a unit of 37 registers costs 37 registers, and nothing else, on every family") {
+    const TemporaryFolder folder;
+    Flow flow(folder.path());
+    for (const Device& device : devices()) {
+        CAPTURE(device.name);
+        const Resources one = priced(flow, delay(37, 1), device);
+        CHECK(one.registers == 37);
+        CHECK(one.luts == 0);
+        CHECK(one.carries == 0);
+        CHECK(one.dsps == 0);
+        CHECK(one.brams == 0);
+    }
+    // More outputs than inputs would make wires of the lone harness equal, and registers behind them one.
+    const Resources two = priced(flow, delay(37, 2), find_device("hx8k"));
+    CHECK(two.registers == 74);
+    CHECK(two.luts == 0);
+}
+
+TEST_CASE("harness: the critical path of a unit with logic is the unit's, that of the harness alone is not") {
+    const TemporaryFolder folder;
+    Flow flow(folder.path());
+    const Unit unit{"glint_square", ".S(12), .R(12)", {{"enable_i"}, {"x_i", 13}}, {{"y_o", 13}}};
+    const Device& device = find_device("hx8k");
+    const std::vector<Source> sources{{"glint_square.v", read_file(rtl / "glint_square.v")},
+                                      {"glint_harness.v", harness(unit)}};
+    const Routing whole = Flow::Netlist(flow, sources, device, false).route(1);
+    CHECK(whole.fits);
+    CHECK_FALSE(whole.harness_limits);
+    const Routing alone = Flow::Netlist(flow, {{"glint_harness.v", harness_alone(unit)}}, device, false).route(1);
+    CHECK(alone.fits);
+    CHECK(alone.harness_limits);
+    CHECK(alone.clock_mhz > whole.clock_mhz);
+    CHECK(alone.cells < whole.cells);
+}
+
+TEST_CASE("a unit larger than its device does not fit, and it says what is too little") {
+    const TemporaryFolder folder;
+    Flow flow(folder.path());
+    const Unit unit = delay(300, 18);
+    const std::vector<Source> sources{{"glint_delay.v", read_file(rtl / "glint_delay.v")},
+                                      {"glint_harness.v", harness(unit)}};
+    const Routing found = Flow::Netlist(flow, sources, find_device("up5k"), false).route(1);
+    CHECK_FALSE(found.fits);
+    CHECK(found.why.find("of 5280 ICESTORM_LC") != std::string::npos);
+}
+
+TEST_CASE("latency and interval come from a simulation whose results are right") {
+    const TemporaryFolder folder;
+    Flow flow(folder.path());
+    const Lobe& lobe = find_lobe("schlick");
+    const Profile profile = parse_profile("p8");
+    const auto model = lobe.golden(profile);
+    const Source wrapper{"glint_schlick_p8.v", read_file(rtl / "generated" / "glint_schlick_p8.v")};
+    const std::vector<Source> sources = with_dependencies(rtl, {wrapper});
+    const Unit unit = lobe_unit("glint_schlick_p8", profile, 1);
+    const std::vector<Stimulus> burst{{50, 64225}, {0, 5}, {7, -3}, {1023, profile.one()}};
+    std::vector<PortResult> expected;
+    for (const Stimulus& in : burst) expected.push_back(model->eval_port(in.n, in.cos_code));
+    const Clocks clocks = flow.count_clocks(sources, unit, profile, burst, expected);
+    CHECK(clocks.latency > 3);
+    CHECK(clocks.interval == 1);
+    expected[2].clamped = false;
+    CHECK_THROWS_WITH(flow.count_clocks(sources, unit, profile, burst, expected),
+                      "glint_schlick_p8 has a wrong result: n 7, cos code -3");
+}
+
+TEST_CASE("the files of a unit are those that it instantiates") {
+    const Source wrapper{"glint_bps_p12.v", read_file(rtl / "generated" / "glint_bps_p12.v")};
+    std::vector<std::string> names;
+    for (const Source& source : with_dependencies(rtl, {wrapper})) names.push_back(source.name);
+    CHECK(std::find(names.begin(), names.end(), "glint_bps.v") != names.end());
+    CHECK(std::find(names.begin(), names.end(), "glint_divider.v") != names.end());
+    CHECK(std::find(names.begin(), names.end(), "glint_axis.v") == names.end());
+    CHECK(names.back() == "glint_bps_p12.v");
+    const TemporaryFolder empty;
+    CHECK_THROWS_AS(with_dependencies(empty.path(), {wrapper}), Error);
+}
+
+TEST_CASE("a cell without a price is refused") {
+    const Family& ice40 = *find_device("hx8k").family;
+    const Resources some = count_resources(ice40, {{"SB_LUT4", 3}, {"SB_DFFESR", 2}, {"SB_DFF", 5}, {"SB_CARRY", 1}});
+    CHECK(some.luts == 3);
+    CHECK(some.registers == 7);
+    CHECK(some.carries == 1);
+    CHECK(count_resources(*find_device("ecp5-25k").family, {{"LUT4", 3}, {"CCU2C", 2}}).luts == 7);
+    CHECK_THROWS_AS(count_resources(ice40, {{"SB_SPRAM256KA", 1}}), Error);
+    CHECK_THROWS_AS(find_device("hx9k"), Error);
+}
+
+TEST_CASE("points: the median, and what follows from it") {
+    FpgaPoint some = point("bps", 100);
+    CHECK(some.clock_mhz() == Approx(80.0));
+    CHECK(some.latency_ns() == Approx(250.0));
+    CHECK(some.results_per_second() == Approx(40e6));
+    some.clocks_mhz.push_back(60.0);
+    CHECK(some.clock_mhz() == Approx(75.0));
+}
+
+TEST_CASE("the file of prices: points of the same unit and device are replaced, others stay") {
+    const TemporaryFolder folder;
+    const std::filesystem::path file = folder.path() / "fpga.json";
+    const ToolVersions tools{{"yosys", "1"}};
+    write_file(file, merged(file, tools, {point("bps", 100), point("schlick", 50)}));
+    const std::string text = merged(file, {{"yosys", "1"}, {"iverilog", "2"}}, {point("bps", 90)});
+    const auto json = nlohmann::json::parse(text);
+    REQUIRE(json["points"].size() == 2);
+    CHECK(json["points"][0]["luts"] == 90);
+    CHECK(json["points"][0]["clock_mhz"] == 80.0);
+    CHECK(json["points"][1]["luts"] == 50);
+    CHECK(json["tools"] == nlohmann::json{{"yosys", "1"}, {"iverilog", "2"}});
+    CHECK_THROWS_AS(merged(file, {{"yosys", "3"}}, {}), Error);
+    for (const char* bad : {"", "[]", "{\"format\": 1}", R"({"format": "glint-cost-fpga-1"})",
+                            R"({"format": "glint-cost-fpga-1", "tools": {}, "points": [1]})"}) {
+        CAPTURE(bad);
+        write_file(file, bad);
+        CHECK_THROWS_AS(merged(file, tools, {}), Error);
+    }
+}
+
+TEST_CASE("the table is the best of its size, and its model and its memory agree") {
+    const TemporaryFolder folder;
+    Flow flow(folder.path());
+    const Profile profile = parse_profile("p8");
+    const TableFormat format = TableFormat::best(profile);
+    CHECK(format.n_bits + format.cos_bits == 13);  // 8192 x 8 bits: 16 of 30 block RAMs
+    const auto model = table_model(profile, format);
+    CHECK(model->eval_port(1, profile.one()).y <= 255);
+    const std::vector<Source> unit = table_unit(profile, format);
+    const std::vector<Stimulus> burst{{1, 0},     {1, profile.one()}, {1023, profile.one()}, {1023, 60000}, {5, 33333},
+                                      {0, 44444}, {700, -1},          {2, profile.one() + 1}};
+    std::vector<PortResult> expected;
+    for (const Stimulus& in : burst) expected.push_back(model->eval_port(in.n, in.cos_code));
+    const Clocks clocks = flow.count_clocks(with_dependencies(rtl, unit), lobe_unit("glint_table_p8", profile, 1),
+                                            profile, burst, expected);
+    CHECK(clocks.latency == 3);
+    CHECK(clocks.interval == 1);
+}

@@ -1,0 +1,61 @@
+#include <algorithm>
+
+#include "catch.hpp"
+#include "glint/error.hpp"
+#include "glint/lobes.hpp"
+
+using namespace glint;
+
+TEST_CASE("an architecture is a divider, rows in a clock, clocks of a product; the name leaves out the defaults") {
+    const Lobe& bps = find_lobe("bps");
+    const auto parameters = [](int divider, int rows, int stages) {
+        return std::vector<std::pair<std::string, int>>{
+            {"DIVIDER", divider}, {"REGISTER_EVERY", rows}, {"MULTIPLIER_STAGES", stages}};
+    };
+    CHECK(default_architecture(bps) == Architecture{"restoring", parameters(0, 1, 1)});
+    CHECK(parse_architecture(bps, "restoring:r1:m1") == default_architecture(bps));
+    CHECK(parse_architecture(bps, "radix4:r32:m4") == Architecture{"radix4:r32:m4", parameters(1, 32, 4)});
+    CHECK(parse_architecture(bps, "restoring:m3") == Architecture{"restoring:m3", parameters(0, 1, 3)});
+    CHECK(parse_architecture(bps, "iterative:m2") == Architecture{"iterative:m2", parameters(2, 1, 2)});
+    CHECK(parse_architecture(bps, "reciprocal") == Architecture{"reciprocal", parameters(3, 1, 1)});
+
+    const Lobe& taylor = find_lobe("taylor");
+    CHECK(default_architecture(taylor) == Architecture{"pipelined", {{"MULTIPLIER_STAGES", 1}}});
+    CHECK(parse_architecture(taylor, "pipelined:m2") == Architecture{"pipelined:m2", {{"MULTIPLIER_STAGES", 2}}});
+}
+
+TEST_CASE("an architecture that is not legal is refused, with what is") {
+    const Lobe& bps = find_lobe("bps");
+    for (const char* text : {"", ":", "pipelined", "radix8", "restoring:", "restoring:r", "restoring:r0", "radix4:r33",
+                             "restoring:m0", "restoring:m5", "restoring:m2:r2", "restoring:r2:r2", "restoring:r2x",
+                             "iterative:r2", "reciprocal:r1", "restoring:m-1", "restoring:m99999999999", "Radix4"}) {
+        CAPTURE(text);
+        CHECK_THROWS_AS(parse_architecture(bps, text), Error);
+    }
+    for (const char* text : {"", "restoring", "pipelined:r2", "pipelined:m5", "pipelined:"}) {
+        CAPTURE(text);
+        CHECK_THROWS_AS(parse_architecture(find_lobe("taylor"), text), Error);
+    }
+    CHECK_THROWS_WITH(parse_architecture(bps, "radix8"),
+                      "architecture 'radix8' is not legal for bps: restoring[:rN][:mN], radix4[:rN][:mN], "
+                      "iterative[:mN], reciprocal[:mN], N of r 1 to 32, N of m 1 to 4");
+}
+
+TEST_CASE("the lobes with a divider are those whose wrappers have its parameters; all have the multiplier's") {
+    for (const Lobe& lobe : lobes()) {
+        CAPTURE(lobe.name);
+        for (const GeneratedFile& file : lobe.emit(parse_profile("p8"), default_architecture(lobe))) {
+            if (file.target != GeneratedFile::Target::verilog) continue;
+            CHECK((file.text.find("parameter DIVIDER = 0,") != std::string::npos) == lobe.divider);
+            CHECK(file.text.find("parameter MULTIPLIER_STAGES = 1\n") != std::string::npos);
+        }
+    }
+    const Lobe& schlick = find_lobe("schlick");
+    for (const GeneratedFile& file : schlick.emit(parse_profile("p8"), parse_architecture(schlick, "radix4:r2:m3"))) {
+        if (file.target != GeneratedFile::Target::verilog) continue;
+        CHECK(file.text.find("--profile p8 --architecture radix4:r2:m3`") != std::string::npos);
+        CHECK(file.text.find(
+                  "parameter DIVIDER = 1,\n    parameter REGISTER_EVERY = 2,\n    parameter MULTIPLIER_STAGES = 3\n") !=
+              std::string::npos);
+    }
+}
