@@ -175,11 +175,14 @@ module glint_effect_cook_torrance #(
     ) divider_t (
         .clk_i      (clk_i),
         .enable_i   (advance),
+        .start_i    (1'b0),
         .dividend_i (dividend_t[W+S+7:0]),
         .divisor_i  (e_late_q),
+        .beside_i   (1'b0),
+        .done_o     (),
         .quotient_o (t),
         .remainder_o(),
-        .divisor_o  ()
+        .beside_o   ()
     );
     /* verilator lint_on PINCONNECTEMPTY */
 
@@ -271,11 +274,14 @@ module glint_effect_cook_torrance #(
     ) divider_ratio (
         .clk_i      (clk_i),
         .enable_i   (advance),
+        .start_i    (1'b0),
         .dividend_i ({magnitude_q, {S{1'b0}}}),
         .divisor_i  (denominator_q),
+        .beside_i   (1'b0),
+        .done_o     (),
         .quotient_o (ratio),
         .remainder_o(),
-        .divisor_o  ()
+        .beside_o   ()
     );
     /* verilator lint_on PINCONNECTEMPTY */
     glint_square #(

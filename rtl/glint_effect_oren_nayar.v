@@ -106,11 +106,14 @@ module glint_effect_oren_nayar #(
     ) divider (
         .clk_i      (clk_i),
         .enable_i   (advance),
+        .start_i    (1'b0),
         .dividend_i ({nl_q[F-1:0], {S{1'b0}}}),
         .divisor_i  (nv_q),
+        .beside_i   (1'b0),
+        .done_o     (),
         .quotient_o (quotient),
         .remainder_o(),
-        .divisor_o  ()
+        .beside_o   ()
     );
     /* verilator lint_on PINCONNECTEMPTY */
     glint_delay #(

@@ -176,11 +176,14 @@ module glint_effect_ward #(
     ) divider (
         .clk_i      (clk_i),
         .enable_i   (advance),
+        .start_i    (1'b0),
         .dividend_i ({r2_q, {F{1'b0}}}),
         .divisor_i  ({1'b0, nh} + {2'b01, {F{1'b0}}}),
+        .beside_i   (1'b0),
+        .done_o     (),
         .quotient_o (t),
         .remainder_o(),
-        .divisor_o  ()
+        .beside_o   ()
     );
     /* verilator lint_on PINCONNECTEMPTY */
 
