@@ -79,7 +79,7 @@ std::string to_csv(const std::vector<Configuration>& all, const std::vector<bool
         const Configuration& c = all[i];
         out += fmt::format("{},{},{},{},{},{}", c.lobe, field(c.profile), c.architecture, c.device, c.dsp ? 1 : 0,
                            c.output_bits);
-        for (const Column& column : columns) out += "," + number(value(c, column.metric));
+        for (const Column& column : columns) out += fmt::format(",{}", number(value(c, column.metric)));
         out += fmt::format(",{}\n", beaten[i] ? 1 : 0);
     }
     // A CPU has no gates: its rows leave those columns empty.
