@@ -70,7 +70,10 @@ TEST_CASE("profile: the numbers of a shipped profile give a custom one with the 
             REQUIRE(numbers.size() ==
                     static_cast<std::size_t>(std::count(lobe.custom.begin(), lobe.custom.end(), ',')) + 1);
             std::string text;
-            for (const int number : numbers) text += (text.empty() ? "" : ",") + std::to_string(number);
+            for (const int number : numbers) {
+                text += text.empty() ? "" : ",";
+                text += std::to_string(number);
+            }
             const auto custom = lobe.golden(parse_profile(text));
             const auto golden = lobe.golden(shipped);
             int differing = 0;

@@ -70,7 +70,10 @@ TEST_CASE("word lengths: guard bits of lobes at F = 10, O = 5") {
                 std::vector<int> fewer = profile.custom;
                 if (--fewer[i] < own[i] - 2) continue;
                 std::string text;
-                for (const int number : fewer) text += (text.empty() ? "" : ",") + std::to_string(number);
+                for (const int number : fewer) {
+                    text += text.empty() ? "" : ",";
+                    text += std::to_string(number);
+                }
                 double worst = 1.0;
                 try {
                     worst = rounding(lobe, parse_profile(text));
