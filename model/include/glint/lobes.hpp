@@ -27,7 +27,8 @@ struct Lobe {
     std::vector<HardCase> (*hard_cases)(const GoldenModel&);
     std::string_view options = {};  ///< what may follow the name after a ':'; empty: nothing
     bool divider = false;           ///< its unit divides: the divider can be chosen
-    /// The numbers of the custom profile that is the shipped one with this F and O, by a rule that holds for others too.
+    /// The numbers of the custom profile that is the shipped one with this F and O, by a rule that holds for others
+    /// too.
     std::vector<int> (*numbers)(int F, int O) = nullptr;
 };
 
