@@ -163,11 +163,10 @@ Verdict constant(const Paper2Data& data) {
     const std::size_t size = data.reflectances.size();
     return {"A constant does for F from there on", "–", "largest difference from the mean, by index: " + measured,
             good == size ? "True."
-            : good == 0
-                ? "Not true."
-                : fmt::format("True of {} of {} indices within 10&nbsp;%, the largest; a small index has a small F at "
-                              "normal incidence, and so a large change relative to it.",
-                              good, size)};
+            : good == 0  ? "Not true."
+                         : fmt::format("True within 10&nbsp;% of {} of {} indices; a small index has a small F at "
+                                        "normal incidence, and so a large change relative to it.",
+                                       good, size)};
 }
 
 Verdict cubic(const Paper2Data& data) {

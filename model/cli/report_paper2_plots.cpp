@@ -48,9 +48,12 @@ std::string curve(const std::string& block, int column, double width, std::strin
 
 std::string distribution_panel(const Paper2Data& data, const Theme& theme, std::size_t i) {
     const auto& figure = data.distributions[i];
-    const double top = *std::max_element(figure.distribution.begin(), figure.distribution.end());
-    std::string out = fmt::format("set xrange [0:90]\nset yrange [0:{:g}]\nset xtics 30\nset format x '%g°'\n",
-                                  std::max(1.0, 1.02 * top));
+    double top = 1.0;
+    for (const auto* values : {&figure.distribution, &figure.angle_cubic, &figure.half_cubic}) {
+        top = std::max(top, *std::max_element(values->begin(), values->end()));
+    }
+    std::string out =
+        fmt::format("set xrange [0:90]\nset yrange [0:{:g}]\nset xtics 30\nset format x '%g°'\n", 1.02 * top);
     out += "set ytics 0.2\nset tmargin 6\nset key vertical maxcols 1\n";
     out += fmt::format("set title 'm = {:g}'\nset xlabel 'angle of N and H'\nset ylabel 'm^2 D' offset 1\n", figure.m);
     const std::string block = fmt::format("distribution{}", i);
