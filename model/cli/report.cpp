@@ -38,7 +38,7 @@ int report(const ReportOptions& options) {
     command += " -o " + options.output;
 
     const std::vector<MeasuredRun> measured = measured_runs(files);
-    PlotData plots{curves(50), error_map("p12"), schlick_errors(), {}, paper_data(), {}};
+    PlotData plots{curves(50), error_map("p12"), schlick_errors(), {}, paper_data(), paper2_data(), {}};
     if (cost) plots.cost = cost->plots;
     std::copy_if(measured.begin(), measured.end(), std::back_inserter(plots.measured),
                  [](const MeasuredRun& run) { return !run.accuracy().rows.empty(); });
@@ -59,6 +59,7 @@ int report(const ReportOptions& options) {
     for (const FigureCsv& figure : figure_csvs(plots.curves, plots.paper)) {
         write("figures/" + figure.name, figure.text);
     }
+    for (const FigureCsv& figure : paper2_csvs(plots.paper2)) write("figures/" + figure.name, figure.text);
     for (const std::string_view theme : themes) {
         if (!plots.measured.empty()) write(overview_file(theme), pictures.at(overview_file(theme)));
     }

@@ -1,4 +1,4 @@
-// `glint report`: measured results, and what paper 1 claims, as one page that needs nothing else; pictures for the
+// `glint report`: measured results, and what the papers claim, as one page that needs nothing else; pictures for the
 // README.
 #pragma once
 
@@ -15,8 +15,8 @@ struct ReportOptions {
     std::string output;                ///< folder for index.html, the figures and the pictures
 };
 
-/// Writes output/index.html, output/figures/figure-3.csv to figure-8.csv (the figures of paper 1), and
-/// output/overview-light.svg and -dark.svg when the results hold errors per n.
+/// Writes output/index.html, output/figures/figure-3.csv to figure-8.csv (the figures of paper 1) and paper-2-*.csv
+/// (those of paper 2), and output/overview-light.svg and -dark.svg when the results hold errors per n.
 /// Returns the exit status. Throws Error: results that cannot be used, gnuplot missing or failing, files not writable.
 int report(const ReportOptions& options);
 

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "report_paper2_plots.hpp"
 #include "report_paper_plots.hpp"
 
 namespace glint::cli {
@@ -171,6 +172,7 @@ Pictures draw(const PlotData& data) {
         if (!data.measured.empty()) script += overview(data, theme, pictures);
     }
     script += paper_plots(data.paper, pictures);
+    script += paper2_plots(data.paper2, pictures);
     if (data.cost) script += cost_plots(*data.cost, pictures);
     return run_gnuplot(script, pictures);
 }

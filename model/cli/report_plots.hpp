@@ -10,6 +10,7 @@
 #include "report_data.hpp"
 #include "report_gnuplot.hpp"
 #include "report_paper.hpp"
+#include "report_paper2.hpp"
 #include "report_results.hpp"
 #include "report_theme.hpp"
 
@@ -29,6 +30,7 @@ struct PlotData {
     std::vector<AngleError> schlick;    ///< for n = 1 .. max_n
     std::vector<MeasuredRun> measured;  ///< with rows; empty: no plots over n
     PaperData paper;
+    Paper2Data paper2;
     std::optional<CostPlotData> cost;  ///< none: no plots of cost
 };
 

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "glint/effect.hpp"
 #include "glint/lobes.hpp"
 
 namespace glint {
@@ -21,6 +22,23 @@ std::string markdown(const HardCaseTable& table) {
     out += '\n';
     for (const std::vector<std::string>& row : table.rows) out += line(row);
     return out;
+}
+
+/// Of an effect with more ports than these a row has only what differs from the first case.
+constexpr std::size_t most_ports = 12;
+
+template <class Item, class Text>
+std::string listed(std::span<const Item> items, Text text) {
+    std::string out;
+    for (std::size_t i = 0; i < items.size(); ++i) {
+        const std::string one = text(i);
+        if (!one.empty()) out += (out.empty() ? "" : ", ") + one;
+    }
+    return out;
+}
+
+std::string names(std::span<const EffectPort> ports) {
+    return listed(ports, [&](std::size_t p) { return std::string(ports[p].name); });
 }
 
 }  // namespace
@@ -41,6 +59,87 @@ HardCaseTable hard_case_table(const Lobe& lobe) {
         }
     }
     return out;
+}
+
+HardCaseTable effect_case_table(const Effect& effect) {
+    const auto model = effect.golden(parse_profile("p12"), "bps");
+    const std::vector<EffectCase> cases = effect.hard_cases(*model);
+    const auto ports = model->inputs();
+    const bool changes = ports.size() > most_ports;
+    HardCaseTable out{"Effect " + std::string(effect.name),
+                      {"case", "what could go wrong",
+                       fmt::format("p12: {} -> {}", changes ? "what differs from the first case" : names(ports),
+                                   names(model->outputs()))},
+                      2,
+                      {}};
+    for (const EffectCase& c : cases) {
+        const EffectResult result = model->eval_port(c.in);
+        const std::string in = listed(ports, [&](std::size_t p) {
+            if (!changes) return fmt::format("{}", c.in[p]);
+            return c.in[p] == cases.front().in[p] ? std::string() : fmt::format("{} {}", ports[p].name, c.in[p]);
+        });
+        const std::string values = listed(std::span<const std::int64_t>(result.values),
+                                          [&](std::size_t p) { return fmt::format("{}", result.values[p]); });
+        out.rows.push_back(
+            {c.name, c.risk,
+             fmt::format("{} -> {}{}", in.empty() ? "nothing" : in, values, result.clamped ? " clamped" : "")});
+    }
+    return out;
+}
+
+HardCaseTable render_case_table() {
+    return {
+        "Pictures",
+        {"case", "what could go wrong", "what comes out", "covered by"},
+        4,
+        {
+            {"light, viewer and normal in one line", "the peak is missed, or exceeds what the ports can carry",
+             "ambient and diffuse light and the peak of the lobe, each within 2 ulp",
+             "shading: light, viewer and normal in one line"},
+            {"L = -V", "there is no half vector: L + V is 0, and its length divides", "N.H counts as 0",
+             "shading: L = -V, no half vector"},
+            {"light behind the surface", "a lobe or a negative N.L shines through it", "ambient light alone",
+             "shading: light behind the surface"},
+            {"N.L of 0 and of 1 ulp", "the lobe is cut a code too early or too late",
+             "nothing at 0, the whole lobe at 1 ulp", "shading: grazing light, N.L of 0 and of 1 ulp"},
+            {"normal of length 0, infinite or NaN", "a division by 0; NaN as a code", "ambient light alone",
+             "shading: normals of length 0 and other than 1"},
+            {"normal of another length than 1", "dot products are off by it", "that of the unit normal",
+             "shading: normals of length 0 and other than 1"},
+            {"dot product above 1", "a code beyond the legal range", "counts as 1; corrections are counted",
+             "shading: dot products above 1"},
+            {"light at the very point, attenuation 0 beside it", "0 / 0; an intensity beyond the port",
+             "ambient light alone; the greatest code", "shading: a light at the very point, and a surface at the eye"},
+            {"surface at the eye", "V has no direction", "a finite colour",
+             "shading: a light at the very point, and a surface at the eye"},
+            {"position that is NaN", "NaN reaches a port or the picture", "ambient light alone",
+             "shading: a position that is no number"},
+            {"no light", "an empty sum; units that are not called for",
+             "ambient light alone; without that, no unit and black", "shading: no light"},
+            {"nothing to shade", "a division by 0 fragments; a check on nothing that passes",
+             "the background; --compare fails: nothing was shaded", "shading: nothing to shade shows the background"},
+            {"light inside the surface", "the far side is lit through it", "black where there is no ambient light",
+             "render.hardcases"},
+            {"light on the surface", "an infinite intensity", "a finite picture", "render.hardcases"},
+            {"camera inside, camera behind", "surfaces seen from behind are black", "a surface has two sides",
+             "render.hardcases"},
+            {"empty scene: a model without a face", "a picture of nothing", "one line, exit status 2",
+             "obj: NaN, vertices that are not there, nothing to see"},
+            {"NaN or infinity in an OBJ", "it spreads over the picture", "one line with file and line, exit status 2",
+             "obj: NaN, vertices that are not there, nothing to see"},
+            {"NaN or infinity in an MTL", "it becomes a parameter of a unit",
+             "one line with file and line, exit status 2", "mtl: what is no finite number is refused with its line"},
+            {"degenerate triangle", "its normal is 0 / 0", "it is left out, with a warning",
+             "obj: degenerate triangles are left out, with a warning"},
+            {"missing normals", "flat or black surfaces", "those of the faces around, up to an edge of 60 degrees",
+             "obj: missing normals are those of the faces around, up to an edge of 60 degrees"},
+            {"normals of length 0 and not 1 in an OBJ", "a division by 0", "that of the face; unit length",
+             "obj: normals of length 0 and other than 1"},
+            {"Ns beyond 1 .. 1023", "an exponent that the port cannot carry", "the nearest legal one, with one warning",
+             "mtl: Ns is the exponent, halves away from zero, cut to 1 .. 1023 with one warning"},
+            {"material that a model cannot take", "a parameter beyond its legal range", "the nearest, with a warning",
+             "mtl: what a model cannot take counts as the nearest that it can, with a warning"},
+        }};
 }
 
 HardCaseTable stream_case_table() {
@@ -69,14 +168,20 @@ std::string_view hard_case_legend() {
            "comes out, and by which test or proof it is covered. `cosim.*`, `formal.*` are CTest names; hls, proof "
            "(Gappa, for "
            "all\n"
-           "inputs) and oracle are CTest labels; `unit` is a test case of glint-unit-tests.\n";
+           "inputs) and oracle are CTest labels; `unit` is a test case of glint-unit-tests.\n"
+           "The cases of an effect are the first inputs of cosim.effects and of its kernels (label hls), and unit "
+           "holds\n"
+           "them against the real function, at every profile; p12 stands for the others here. Pictures have no input "
+           "of a\n"
+           "unit: their test cases are those of glint-render-tests.\n";
 }
 
 std::string hard_cases_page() {
     std::string out = "# Hard cases\n\nWritten by `glint cases`; a test keeps it current. ";
     out += hard_case_legend();
     for (const Lobe& lobe : lobes()) out += markdown(hard_case_table(lobe));
-    return out + markdown(stream_case_table());
+    for (const Effect& effect : effects()) out += markdown(effect_case_table(effect));
+    return out + markdown(render_case_table()) + markdown(stream_case_table());
 }
 
 }  // namespace glint

@@ -208,6 +208,24 @@ ReflectanceFigure figure_2(double index, int points) {
     return out;
 }
 
+HighlightFigure highlight_figure(double n, int points) {
+    HighlightFigure out;
+    out.n = n;
+    out.phong_width = std::acos(std::pow(0.5, 1.0 / n));
+    out.blinn_phong_width = 2.0 * out.phong_width;
+    out.equal_width = std::log(0.5) / std::log(std::cos(0.5 * out.phong_width));
+    for (int k = 0; k < points; ++k) {
+        const double angle = 0.5 * pi * k / (points - 1);
+        const double rv = std::max(0.0, std::cos(angle)), nh = std::cos(0.5 * angle);
+        out.x.push_back(angle);
+        out.phong.push_back(std::pow(rv, n));
+        out.blinn_phong.push_back(std::pow(nh, n));
+        out.blinn_phong_4n.push_back(std::pow(nh, 4.0 * n));
+        out.largest = std::max(out.largest, std::abs(out.blinn_phong_4n.back() - out.phong.back()));
+    }
+    return out;
+}
+
 Likeness likeness(double m, double index, double light) {
     Likeness out{m, index, light};
     const auto cubic = cook_torrance::fit_beckmann(m, cook_torrance::Variable::half);

@@ -24,7 +24,8 @@ class Report(Case):
     def test_page(self):
         self.results()
         self.good("report", "--results", "sweep.json", "-o", "page")
-        figures = [f"page/figures/figure-{number}.csv" for number in range(3, 9)]
+        names = [*(f"figure-{number}" for number in range(3, 9)), "paper-2-figure-1", "paper-2-figure-2", "paper-2-phong"]
+        figures = [f"page/figures/{name}.csv" for name in names]
         self.equal(self.files(), [*figures, "page/index.html", "page/overview-dark.svg", "page/overview-light.svg",
                                   "sweep.json"])
         page = self.read("page/index.html")
@@ -154,8 +155,8 @@ class Report(Case):
     def lobe_names(self):
         return re.findall(r"^GLINT_LOBE\((\w+)\)$", (ROOT / "model/include/glint/lobes.def").read_text(), re.MULTILINE)
 
-    def figure(self, number):
-        with open(self.folder / f"page/figures/figure-{number}.csv", newline="") as file:
+    def figure(self, number, paper=""):
+        with open(self.folder / f"page/figures/{paper}figure-{number}.csv", newline="") as file:
             heading, *rows = csv.reader(file)
         return heading, [[float(cell) for cell in row] for row in rows]
 
@@ -229,6 +230,71 @@ class Report(Case):
         for row in costs:
             self.true(row["cycles, Zen 4 double"] == "–" or int(row["cycles, Zen 4 double"]) > int(row["cycles, same sum"]),
                       f"{row}")
+
+    def test_paper_2_claims(self):
+        """What the second paper prints, beside what is counted and computed; the verdicts are those of the numbers."""
+        self.results()
+        self.good("report", "--results", "sweep.json", "-o", "page")
+        rows = self.cells("paper-2")
+        claims = {row["claim"]: row for row in rows if "claim" in row}
+        self.equal(len(claims), 7)
+        models = {row["model"]: row for row in rows if "model" in row}
+        self.equal([(name, row["instructions, printed"], row["pixels/s, printed"]) for name, row in models.items()
+                    if row["instructions, printed"] != "–"],
+                   [("Phong", "32", "640 M"), ("Blinn-Phong", "30", "640 M"), ("Cook-Torrance", "113", "200 M"),
+                    ("Ward", "62", "320 M"), ("Oren-Nayar", "86", "320 M")])
+        kinds = ("multiplications", "divisions", "additions", "comparisons", "calls")
+        for name, row in models.items():
+            self.equal(int(row["operations"]), sum(int(row[kind]) for kind in kinds))
+            self.true(name == "Cook-Torrance" or int(row["operations"]) < int(models["Cook-Torrance"]["operations"]), f"{row}")
+        full, modified = (models[name]["operations"] for name in ("Cook-Torrance", "modified Cook-Torrance"))
+        self.equal(claims["Fewer instructions"]["printed"], "113 to about 60")
+        self.equal(claims["Fewer instructions"]["measured"], f"{full} to {modified} operations")
+        ratio = int(full) / int(modified)
+        self.true(f"{ratio:.2f} times, not 1.88" in claims["Fewer instructions"]["verdict"], f"{claims['Fewer instructions']}")
+        self.equal(claims["77 % faster"]["measured"], f"{ratio:.2f} times fewer operations")
+        order = ["Blinn-Phong", "Phong", "Ward", "Oren-Nayar", "Cook-Torrance"]
+        self.equal(claims["Order of the five models"]["printed"], " < ".join(order))
+        counts = [int(models[name]["operations"]) for name in order]
+        in_order = sum(a < b for i, a in enumerate(counts) for b in counts[i + 1:])
+        self.equal(claims["Order of the five models"]["measured"], f"{in_order} of 10 pairs in this order")
+        cases = [row for row in rows if "RMS" in row]
+        self.equal(len(cases), 18)
+        close = sum(float(row["largest"].split()[0]) <= 5 for row in cases)
+        self.true(0 < close < 18 and f"in {close} of the 18 cases" in claims["Almost identical look"]["verdict"], f"{claims}")
+        for row in cases:
+            self.true(0 < float(row["RMS"].split()[0]) < float(row["largest"].split()[0]), f"{row}")
+
+    def test_paper_2_figures(self):
+        """Beckmann's distribution, Fresnel's reflectance and both highlights, against the formulas of the paper."""
+        self.results()
+        self.good("report", "--results", "sweep.json", "-o", "page")
+        heading, rows = self.figure(1, "paper-2-")
+        roughness = (0.2, 0.4, 0.8)
+        self.equal(heading, ["theta_rad", *(name + f"{m:g}" for m in roughness for name in ("m2D_m", "cubic_angle_m", "cubic_half_m"))])
+        self.equal(len(rows), 901)
+        self.near(rows[-1][0], math.pi / 2, 1e-6)
+        for theta, *values in rows[:-1]:
+            for m, (distribution, angle, half) in zip(roughness, zip(*[iter(values)] * 3)):
+                self.near(distribution, math.exp(-(math.tan(theta) / m) ** 2) / math.cos(theta) ** 4, 2e-5)
+                self.true(abs(angle - distribution) < 0.08 and abs(half - distribution) < 0.05, f"m {m}, angle {theta}")
+        heading, rows = self.figure(2, "paper-2-")
+        indices = (1.33, 1.5, 2.5, 4)
+        self.equal((heading, len(rows)), (["vh", *(f"F_index{index:g}" for index in indices)], 901))
+        for vh, *values in rows:
+            for index, value in zip(indices, values):
+                g = math.sqrt(index ** 2 + vh ** 2 - 1)
+                ratio = (vh * (g + vh) - 1) / (vh * (g - vh) + 1)
+                self.near(value, 0.5 * ((g - vh) / (g + vh)) ** 2 * (1 + ratio ** 2), 1e-5)
+        with open(self.folder / "page/figures/paper-2-phong.csv", newline="") as file:
+            heading, *rows = csv.reader(file)
+        self.equal((heading, len(rows)), (["theta_rad", "phong_n50", "blinn_phong_n50", "blinn_phong_n200"], 901))
+        for theta, phong, blinn_phong, narrow in ([float(cell) for cell in row] for row in rows):
+            self.near(phong, max(0.0, math.cos(theta)) ** 50, 5e-5)
+            self.near(blinn_phong, math.cos(theta / 2) ** 50, 5e-5)
+            self.near(narrow, phong, 0.004)
+        text = html.unescape(self.section("paper-2")[0])
+        self.true(f"1/2 at {2 * math.degrees(math.acos(0.5 ** (1 / 50))):.2f}°" in text, text[-3000:])
 
     def prices(self):
         """cpu.json of three functions, with numbers that are plain to follow."""

@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "catch.hpp"
+#include "glint/effect.hpp"
 #include "glint/lobes.hpp"
 
 using namespace glint;
@@ -64,9 +65,55 @@ TEST_CASE("every lobe stands in the registry once") {
     CHECK(names.size() >= 11);
 }
 
-TEST_CASE("docs/hard-cases.md is what `glint cases` prints") {
-    std::ifstream file(GLINT_SOURCE_DIR "/docs/hard-cases.md");
+namespace {
+
+std::string text_of(const std::string& path) {
+    std::ifstream file(GLINT_SOURCE_DIR "/" + path);
+    REQUIRE(file.good());
     std::ostringstream text;
     text << file.rdbuf();
-    CHECK(text.str() == hard_cases_page());
+    return text.str();
+}
+
+}  // namespace
+
+TEST_CASE("hard cases: every effect has a table, a row for each of its cases") {
+    for (const Effect& effect : effects()) {
+        CAPTURE(effect.name);
+        const HardCaseTable table = effect_case_table(effect);
+        const auto model = effect.golden(parse_profile("p12"), "bps");
+        const auto cases = effect.hard_cases(*model);
+        REQUIRE(table.rows.size() == cases.size());
+        bool clamped = false;
+        for (std::size_t i = 0; i < cases.size(); ++i) {
+            REQUIRE(table.rows[i].size() == table.columns.size());
+            CHECK(table.rows[i][0] == cases[i].name);
+            const std::string& last = table.rows[i].back();
+            const EffectResult result = model->eval_port(cases[i].in);
+            CHECK(last.find(" -> " + std::to_string(result.values[0])) != std::string::npos);
+            CHECK((last.find(" clamped") != std::string::npos) == result.clamped);
+            clamped |= result.clamped;
+        }
+        CHECK(clamped);
+    }
+}
+
+TEST_CASE("hard cases: the tests that cover pictures exist") {
+    const std::string tests = text_of("tests/render/shading_test.cpp") + text_of("tests/render/wavefront_test.cpp");
+    const std::string classes = text_of("tests/render/CMakeLists.txt");
+    const HardCaseTable table = render_case_table();
+    CHECK(table.rows.size() >= 20);
+    for (const auto& row : table.rows) {
+        REQUIRE(row.size() == table.columns.size());
+        CAPTURE(row[0], row[3]);
+        if (row[3] == "render.hardcases") {
+            CHECK(classes.find("HardCases") != std::string::npos);
+        } else {
+            CHECK(tests.find("TEST_CASE(\"" + row[3] + "\")") != std::string::npos);
+        }
+    }
+}
+
+TEST_CASE("docs/hard-cases.md is what `glint cases` prints") {
+    CHECK(text_of("docs/hard-cases.md") == hard_cases_page());
 }

@@ -122,3 +122,24 @@ TEST_CASE("Paper 2: the modified form looks like Cook-Torrance where the reflect
     CHECK(bright.largest < 0.05);
     CHECK(bright.rms < bright.largest);
 }
+
+TEST_CASE("Paper 2: Phong and Blinn-Phong at one exponent") {
+    for (const double n : {1.0, 10.0, 50.0, 1000.0}) {
+        const auto figure = paper2::highlight_figure(n, 1801);
+        CAPTURE(n);
+        REQUIRE(figure.x.size() == 1801);
+        CHECK(figure.phong.front() == 1.0);
+        CHECK(figure.blinn_phong.front() == 1.0);
+        CHECK(figure.phong.back() < 1e-15);
+        CHECK(std::pow(std::cos(figure.phong_width), n) == Approx(0.5));
+        CHECK(std::pow(std::cos(0.5 * figure.blinn_phong_width), n) == Approx(0.5));
+        CHECK(std::pow(std::cos(0.5 * figure.phong_width), figure.equal_width) == Approx(0.5));
+        for (std::size_t k = 1; k < figure.x.size(); ++k) {
+            if (figure.blinn_phong[k] <= figure.phong[k]) FAIL("Blinn-Phong is not the wider one at " << figure.x[k]);
+        }
+        CHECK(figure.largest > 0.0);
+        CHECK(figure.largest < 0.6 / n);
+    }
+    CHECK(paper2::highlight_figure(1000.0, 2).equal_width == Approx(4000.0).epsilon(1e-3));
+    CHECK(paper2::highlight_figure(1.0, 2).equal_width > 4.5);
+}

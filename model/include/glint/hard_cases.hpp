@@ -9,6 +9,7 @@
 
 namespace glint {
 
+struct Effect;
 struct Lobe;
 
 struct HardCase {
@@ -33,14 +34,20 @@ struct HardCaseTable {
 /// The cases of a lobe, at every shipped profile.
 HardCaseTable hard_case_table(const Lobe& lobe);
 
+/// The cases of an effect, at p12; of one that is made of a lobe, with f_bps.
+HardCaseTable effect_case_table(const Effect& effect);
+
+/// The cases of pictures: scenes and models, for which no input of a unit stands.
+HardCaseTable render_case_table();
+
 /// The cases of the streams, which have no input.
 HardCaseTable stream_case_table();
 
 /// What the tables show and how to read it, for their heading (Markdown).
 std::string_view hard_case_legend();
 
-/// The page of hard cases (Markdown): the tables of all lobes and of the streams. `glint cases` prints it;
-/// docs/hard-cases.md is its output.
+/// The page of hard cases (Markdown): the tables of all lobes, of all effects, of pictures and of the streams. `glint
+/// cases` prints it; docs/hard-cases.md is its output.
 std::string hard_cases_page();
 
 }  // namespace glint

@@ -77,6 +77,19 @@ struct ReflectanceFigure {
 };
 ReflectanceFigure figure_2(double index, int points);
 
+/// Phong against Blinn-Phong at one exponent: over the angle of the viewer from the mirrored light, in the plane of
+/// incidence. There N.H is the cosine of half that angle, so R.V = 2 (N.H)^2 - 1, and the highlight is twice as wide.
+struct HighlightFigure {
+    double n = 0.0;
+    double phong_width = 0.0, blinn_phong_width = 0.0;  ///< angle where it is 1/2, radians
+    /// Exponent with which Blinn-Phong is as wide as Phong with n there; it tends to 4 n as n grows.
+    double equal_width = 0.0;
+    double largest = 0.0;  ///< difference of Blinn-Phong with 4 n from Phong with n
+    std::vector<double> x, phong, blinn_phong, blinn_phong_4n;
+};
+/// Over 0 to pi/2. n of at least 1.
+HighlightFigure highlight_figure(double n, int points);
+
 /// How far the modified term is from Cook-Torrance: over viewers in the plane of incidence at equal angles, for a light
 /// at an angle from the normal, as parts of the greatest of Cook-Torrance there.
 struct Likeness {
