@@ -1,4 +1,5 @@
 // `glint render`: a scene through the effects that it calls for, and how far the engines are apart.
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <filesystem>
@@ -11,6 +12,7 @@
 #include "common.hpp"
 #include "engine.hpp"
 #include "glint/error.hpp"
+#include "glint/shade.hpp"
 #include "rtl_unit.hpp"
 
 namespace glint::cli {
@@ -76,6 +78,15 @@ std::string effects_of(const MaterialPlan& material, const Plan& plan, const Sce
     return names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", "));
 }
 
+/// The effects that a MASK builds.
+std::vector<std::string_view> built(unsigned mask) {
+    std::vector<std::string_view> out = shade_effects();
+    std::size_t bit = 0;
+    out.erase(std::remove_if(out.begin(), out.end(), [&](std::string_view) { return (mask >> bit++ & 1) == 0; }),
+              out.end());
+    return out;
+}
+
 std::string plan_table(const Plan& plan, const Scene& scene) {
     std::vector<std::vector<std::string>> materials{{"material", "fragments", "effects"}};
     for (const MaterialPlan& material : plan.materials) {
@@ -86,12 +97,19 @@ std::string plan_table(const Plan& plan, const Scene& scene) {
     std::vector<std::vector<std::string>> units{{"unit", "evaluations"}};
     for (const UnitPlan& unit : plan.units) units.push_back({unit_name(unit), grouped(unit.evaluations)});
     std::string out = table(materials) + "\n" + table(units);
+    for (const ShadePlan& unit : plan.shade) {
+        out += fmt::format("as one unit: shade{}, MASK {} ({})\n", unit.lobe.empty() ? "" : " (" + unit.lobe + ")",
+                           unit.mask, fmt::join(built(unit.mask), ", "));
+    }
     if (!plan.not_needed.empty()) out += fmt::format("not needed: {}\n", fmt::join(plan.not_needed, ", "));
     return out;
 }
 
 Json plan_json(const Plan& plan, const Scene& scene) {
-    Json out{{"materials", Json::array()}, {"units", Json::array()}, {"not_needed", plan.not_needed}};
+    Json out{{"materials", Json::array()},
+             {"units", Json::array()},
+             {"shade", Json::array()},
+             {"not_needed", plan.not_needed}};
     for (const MaterialPlan& material : plan.materials) {
         Json effects = Json::array();
         if (material.ambient_shown) effects.push_back("ambient");
@@ -107,6 +125,11 @@ Json plan_json(const Plan& plan, const Scene& scene) {
         if (!unit.lobe.empty()) entry["lobe"] = unit.lobe;
         entry["evaluations"] = unit.evaluations;
         out["units"].push_back(entry);
+    }
+    for (const ShadePlan& unit : plan.shade) {
+        Json entry{{"mask", unit.mask}, {"effects", built(unit.mask)}, {"fragments", unit.fragments}};
+        if (!unit.lobe.empty()) entry["lobe"] = unit.lobe;
+        out["shade"].push_back(entry);
     }
     return out;
 }

@@ -1,7 +1,9 @@
 #include "plan.hpp"
 
 #include <algorithm>
+#include <bitset>
 
+#include "glint/shade.hpp"
 #include "models.hpp"
 
 namespace glint::render {
@@ -21,6 +23,49 @@ Term term(Plan& plan, const LightingModel& model, const Material& material, cons
     const std::string& choice = material.lobe.empty() ? lobe : material.lobe;
     return {unit(plan, model.name, takes_lobe ? choice : std::string()), model.diffuse, shown,
             model.parameters(material)};
+}
+
+/// The effects that a material shows, as bits of MASK, and the lobe that they are made of.
+ShadePlan shade_of(const MaterialPlan& material, const Plan& plan) {
+    static const std::vector<std::string_view> order = shade_effects();
+    ShadePlan out{{}, 0, material.fragments};
+    const auto add = [&](std::string_view effect) {
+        const auto bit = std::find(order.begin(), order.end(), effect) - order.begin();
+        out.mask |= 1U << bit;
+    };
+    if (material.ambient_shown) add("ambient");
+    for (const Term& t : material.terms) {
+        if (!t.shown) continue;
+        const UnitPlan& of = plan.units[t.unit];
+        add(of.effect);
+        if (!of.lobe.empty()) out.lobe = of.lobe;
+    }
+    return out;
+}
+
+/// The units of `shade` that cover all materials: one for each lobe, since a unit holds one. A material without a lobe
+/// goes to the unit whose MASK it adds least to.
+std::vector<ShadePlan> shade_units(const Plan& plan) {
+    std::vector<ShadePlan> wanted;
+    for (const MaterialPlan& material : plan.materials) wanted.push_back(shade_of(material, plan));
+    std::stable_partition(wanted.begin(), wanted.end(), [](const ShadePlan& w) { return !w.lobe.empty(); });
+    std::vector<ShadePlan> out;
+    for (const ShadePlan& material : wanted) {
+        if (material.mask == 0) continue;
+        const auto added = [&](const ShadePlan& u) { return std::bitset<32>(material.mask & ~u.mask).count(); };
+        const auto found =
+            material.lobe.empty()
+                ? std::min_element(out.begin(), out.end(),
+                                   [&](const ShadePlan& a, const ShadePlan& b) { return added(a) < added(b); })
+                : std::find_if(out.begin(), out.end(), [&](const ShadePlan& u) { return u.lobe == material.lobe; });
+        if (found == out.end()) {
+            out.push_back(material);
+        } else {
+            found->mask |= material.mask;
+            found->fragments += material.fragments;
+        }
+    }
+    return out;
 }
 
 }  // namespace
@@ -54,6 +99,7 @@ Plan make_plan(const Scene& scene, const std::vector<Fragment>& fragments, const
             plan.units[plan.tint].evaluations += pairs;
         }
     }
+    plan.shade = shade_units(plan);
     for (const Effect& effect : effects()) {
         const bool usable = effect.name == "ambient" || effect.name == "tint" || find_model(effect.name) != nullptr;
         const bool needed = std::any_of(plan.units.begin(), plan.units.end(),

@@ -33,9 +33,17 @@ struct MaterialPlan {
     std::vector<Term> terms;  ///< per light
 };
 
+/// A unit of the effect `shade`, for the materials that it can shade.
+struct ShadePlan {
+    std::string lobe;   ///< empty: any, as no highlight has one
+    unsigned mask = 0;  ///< the least MASK that holds every effect of those materials
+    std::uint64_t fragments = 0;
+};
+
 struct Plan {
     std::vector<UnitPlan> units;
     std::vector<MaterialPlan> materials;  ///< those that the camera sees
+    std::vector<ShadePlan> shade;         ///< a unit for each lobe; none where all is dark
     std::vector<std::string> not_needed;  ///< terms, ambient and tint that no visible material calls for
     static constexpr std::size_t none = static_cast<std::size_t>(-1);
     std::size_t ambient = none;  ///< of `units`

@@ -5,14 +5,14 @@
 
 module glint_effect_shade_bps_p16 #(
     parameter TAG_W = 16,
-    parameter [5:0] MASK = 6'd63,  // what is built: a bit each as in the port effects
-    parameter LOG_DEPTH = 6  // inputs in flight: 2^LOG_DEPTH
+    parameter [7:0] MASK = 8'd255,  // what is built: a bit each as in the port effects
+    parameter LOG_DEPTH = MASK[6] ? 7 : 6  // inputs in flight: 2^LOG_DEPTH
 ) (
     input  wire             clk_i,
     input  wire             rst_ni,
     input  wire             valid_i,
     output wire             ready_o,
-    input  wire       [5:0] effects_i,
+    input  wire       [7:0] effects_i,
     input  wire      [21:0] nl_i,
     input  wire       [9:0] n_i,
     input  wire      [21:0] rv_i,
@@ -26,6 +26,16 @@ module glint_effect_shade_bps_p16 #(
     input  wire      [22:0] ward_kx_i,
     input  wire      [22:0] ward_ky_i,
     input  wire      [24:0] ward_log_peak_i,
+    input  wire      [21:0] vh_i,
+    input  wire      [25:0] cook_torrance_falloff_i,
+    input  wire      [25:0] cook_torrance_level_i,
+    input  wire      [15:0] cook_torrance_excess_i,
+    input  wire      [25:0] cook_torrance_modified_level_i,
+    input  wire      [17:0] cook_torrance_modified_stretch_i,
+    input  wire      [24:0] cook_torrance_modified_c0_i,
+    input  wire      [24:0] cook_torrance_modified_c1_i,
+    input  wire      [24:0] cook_torrance_modified_c2_i,
+    input  wire      [24:0] cook_torrance_modified_c3_i,
     input  wire      [16:0] ka_r_i,
     input  wire      [16:0] ka_g_i,
     input  wire      [16:0] ka_b_i,
@@ -52,17 +62,17 @@ module glint_effect_shade_bps_p16 #(
 );
 
     // A unit that is not built reads nothing of its ports.
-    wire unused_ports = &{1'b0, effects_i, nl_i, n_i, rv_i, nh_i, nv_i, lv_i, oren_nayar_a_i, oren_nayar_b_i, ht_i, hb_i, ward_kx_i, ward_ky_i, ward_log_peak_i, ka_r_i, ka_g_i, ka_b_i, ia_r_i, ia_g_i, ia_b_i, kd_r_i, kd_g_i, kd_b_i, ks_r_i, ks_g_i, ks_b_i, i_r_i, i_g_i, i_b_i};
+    wire unused_ports = &{1'b0, effects_i, nl_i, n_i, rv_i, nh_i, nv_i, lv_i, oren_nayar_a_i, oren_nayar_b_i, ht_i, hb_i, ward_kx_i, ward_ky_i, ward_log_peak_i, vh_i, cook_torrance_falloff_i, cook_torrance_level_i, cook_torrance_excess_i, cook_torrance_modified_level_i, cook_torrance_modified_stretch_i, cook_torrance_modified_c0_i, cook_torrance_modified_c1_i, cook_torrance_modified_c2_i, cook_torrance_modified_c3_i, ka_r_i, ka_g_i, ka_b_i, ia_r_i, ia_g_i, ia_b_i, kd_r_i, kd_g_i, kd_b_i, ks_r_i, ks_g_i, ks_b_i, i_r_i, i_g_i, i_b_i};
 
     wire start;
-    wire [4:0] unit_ready, unit_valid, unit_clamped;
-    wire [119:0] unit_y;
+    wire [6:0] unit_ready, unit_valid, unit_clamped;
+    wire [167:0] unit_y;
 
     glint_effect_shade #(
         .O        (16),
-        .N        (5),
+        .N        (7),
         .MASK     (MASK),
-        .DIFFUSE  (6'd18),
+        .DIFFUSE  (8'd18),
         .LOG_DEPTH(LOG_DEPTH),
         .TAG_W    (TAG_W)
     ) shade (
@@ -240,6 +250,75 @@ module glint_effect_shade_bps_p16 #(
             assign unit_valid[4] = 1'b0;
             assign unit_clamped[4] = 1'b0;
             assign unit_y[119:96] = 24'd0;
+            wire unused_start = &{1'b0, start};
+        end
+        if (MASK[6]) begin : cook_torrance
+            wire tag;
+            wire [23:0] y;
+            glint_effect_cook_torrance_p16 #(
+                .TAG_W(1)
+            ) unit (
+                .clk_i(clk_i),
+                .rst_ni(rst_ni),
+                .valid_i(start),
+                .ready_o(unit_ready[5]),
+                .nl_i(nl_i),
+                .nv_i(nv_i),
+                .nh_i(nh_i),
+                .vh_i(vh_i),
+                .falloff_i(cook_torrance_falloff_i),
+                .level_i(cook_torrance_level_i),
+                .excess_i(cook_torrance_excess_i),
+                .tag_i(1'b0),
+                .valid_o(unit_valid[5]),
+                .ready_i(1'b1),
+                .y_o(y),
+                .tag_o(tag),
+                .clamped_o(unit_clamped[5])
+            );
+            assign unit_y[143:120] = y;
+            wire unused_tag = &{1'b0, tag};
+        end else begin : no_cook_torrance
+            assign unit_ready[5] = 1'b1;
+            assign unit_valid[5] = 1'b0;
+            assign unit_clamped[5] = 1'b0;
+            assign unit_y[143:120] = 24'd0;
+            wire unused_start = &{1'b0, start};
+        end
+        if (MASK[7]) begin : cook_torrance_modified
+            wire tag;
+            wire [23:0] y;
+            glint_effect_cook_torrance_modified_p16 #(
+                .TAG_W(1)
+            ) unit (
+                .clk_i(clk_i),
+                .rst_ni(rst_ni),
+                .valid_i(start),
+                .ready_o(unit_ready[6]),
+                .nl_i(nl_i),
+                .nv_i(nv_i),
+                .nh_i(nh_i),
+                .vh_i(vh_i),
+                .level_i(cook_torrance_modified_level_i),
+                .stretch_i(cook_torrance_modified_stretch_i),
+                .c0_i(cook_torrance_modified_c0_i),
+                .c1_i(cook_torrance_modified_c1_i),
+                .c2_i(cook_torrance_modified_c2_i),
+                .c3_i(cook_torrance_modified_c3_i),
+                .tag_i(1'b0),
+                .valid_o(unit_valid[6]),
+                .ready_i(1'b1),
+                .y_o(y),
+                .tag_o(tag),
+                .clamped_o(unit_clamped[6])
+            );
+            assign unit_y[167:144] = y;
+            wire unused_tag = &{1'b0, tag};
+        end else begin : no_cook_torrance_modified
+            assign unit_ready[6] = 1'b1;
+            assign unit_valid[6] = 1'b0;
+            assign unit_clamped[6] = 1'b0;
+            assign unit_y[167:144] = 24'd0;
             wire unused_start = &{1'b0, start};
         end
     endgenerate

@@ -10,6 +10,7 @@ import argparse
 import json
 import math
 import os
+import re
 import struct
 import subprocess
 import sys
@@ -115,6 +116,41 @@ class Scenes(RenderCase):
         self.matches(done.stdout, "not needed: .*phong, blinn_phong")
         fragments = self.json("a.json")["fragments"]
         self.equal([unit["evaluations"] for unit in plan["units"]], [fragments, 2 * fragments, 2 * fragments])
+
+    def test_cheapest_shade(self):
+        """MASK of shade: the bits of all effects that are seen, and no other."""
+        table = re.search(r"^\| effect \| (.*) \|$", (ROOT / "docs/effects/shade.md").read_text(), re.MULTILINE)[1].split(" | ")
+        masks = {}
+        for name in SHIPPED:
+            done = self.render(SCENES / f"{name}.json", "--size", "96x54", "-o", "a.png", "--json", "a.json")
+            found = self.json("a.json")
+            effects = {effect for material in found["plan"]["materials"] for effect in material["effects"]}
+            lobes = {unit["lobe"] for unit in found["plan"]["units"] if "lobe" in unit}
+            self.equal({unit.get("lobe") for unit in found["plan"]["shade"]}, lobes or {None}, name)
+            self.equal(set().union(*(unit["effects"] for unit in found["plan"]["shade"])), effects, name)
+            self.equal(sum(unit["fragments"] for unit in found["plan"]["shade"]),
+                       sum(material["fragments"] for material in found["plan"]["materials"] if material["effects"]), name)
+            for unit in found["plan"]["shade"]:
+                self.equal(unit["mask"], sum(1 << table.index(effect) for effect in unit["effects"]), name)
+                lobe = rf" \({re.escape(unit['lobe'])}\)" if "lobe" in unit else ""
+                self.matches(done.stdout, rf"as one unit: shade{lobe}, MASK {unit['mask']} \({', '.join(unit['effects'])}\)\n")
+            masks[name] = [unit["mask"] for unit in found["plan"]["shade"]]
+        self.equal(masks["matte"], [3])
+        self.equal(masks["models"], [2 ** len(table) - 1])
+
+    def test_shade_of_two_lobes(self):
+        """A unit of shade has one lobe; a material without any goes where it adds least."""
+        self.write("a.mtl", "".join(f"newmtl {name}\nKd 0.5 0.5 0.5\nKs 0.5 0.5 0.5\nNs 20\n" for name in "abcd"))
+        faces = "".join(f"usemtl {name}\nf {3 * i + 1} {3 * i + 2} {3 * i + 3}\n" for i, name in enumerate("abcd"))
+        self.write("a.obj", "mtllib a.mtl\n" + "".join(f"v {x} 0 0\nv {x + 1} 0 0\nv {x} 2 0\n" for x in range(4)) + faces)
+        materials = {"a": {"brdf": "lambert phong", "lobe": "cayley"}, "b": {"brdf": "lambert blinn_phong"},
+                     "c": {"brdf": "oren_nayar ward"}, "d": {"brdf": "oren_nayar blinn_phong"}}
+        self.write("a.json", {"objects": [{"file": "a.obj"}], "materials": materials})
+        self.render("a.json", "--size", "60x40", "-o", "a.png", "--json", "out.json")
+        found = self.json("out.json")["plan"]["shade"]
+        self.equal([(unit["lobe"], unit["effects"]) for unit in found],
+                   [("cayley", ["lambert", "phong"]), ("bps", ["lambert", "blinn_phong", "oren_nayar", "ward"])])
+        self.equal([unit["mask"] for unit in found], [0b110, 0b111010])
 
     def test_model_alone(self):
         """A model without a scene file: framed, lit, its materials as its MTL file says."""

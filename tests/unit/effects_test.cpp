@@ -95,7 +95,8 @@ TEST_CASE("shade is ambient and two tints of the sums of what is asked for") {
         bool diffuse;
     };
     const Part parts[] = {
-        {"lambert", true}, {"phong", false}, {"blinn_phong", false}, {"oren_nayar", true}, {"ward", false}};
+        {"lambert", true}, {"phong", false},         {"blinn_phong", false},           {"oren_nayar", true},
+        {"ward", false},   {"cook_torrance", false}, {"cook_torrance_modified", false}};
     for (const Profile& profile : shipped_profiles()) {
         CAPTURE(profile.name);
         const auto shade = find_effect("shade").golden(profile, "bps");
@@ -126,7 +127,7 @@ TEST_CASE("shade is ambient and two tints of the sums of what is asked for") {
             const std::int64_t most = (std::int64_t{256} << profile.O) - 1;
             std::int64_t sums[2] = {0, 0};
             bool any[2] = {false, false}, clamped = false;
-            for (int t = 0; t < 5; ++t) {
+            for (std::size_t t = 0; t < std::size(parts); ++t) {
                 if ((in[0] >> (t + 1) & 1) == 0) continue;
                 const auto term = make(parts[t].name);
                 Values own;

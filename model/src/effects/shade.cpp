@@ -5,6 +5,7 @@
 #include <mutex>
 
 #include "effect.hpp"
+#include "glint/shade.hpp"
 
 namespace glint {
 namespace {
@@ -15,7 +16,8 @@ struct Term {
     bool diffuse = false;
 };
 constexpr Term terms[] = {
-    {"lambert", true}, {"phong", false}, {"blinn_phong", false}, {"oren_nayar", true}, {"ward", false}};
+    {"lambert", true}, {"phong", false},         {"blinn_phong", false},           {"oren_nayar", true},
+    {"ward", false},   {"cook_torrance", false}, {"cook_torrance_modified", false}};
 constexpr std::size_t term_count = std::size(terms);
 
 constexpr int E = 7;  ///< integer bits beyond 1.0 of the sums of terms and of the colours
@@ -267,6 +269,15 @@ std::string slot(const Shade& shade, std::size_t t) {
         fmt::arg("padded", y.bits == W ? "y" : fmt::format("{{{}'d0, y}}", W - y.bits)), fmt::arg("W", W));
 }
 
+/// The default of LOG_DEPTH. One result a clock asks for 2^LOG_DEPTH from the latency of the slowest term, and 10, on:
+/// of all profiles 6, but for the 2 O + 29 clocks of cook_torrance.
+std::string log_depth(int O) {
+    if (2 * O + 29 + 10 <= 64) return "6";
+    std::size_t bit = 1;
+    while (terms[bit - 1].effect != "cook_torrance") ++bit;
+    return fmt::format("MASK[{}] ? 7 : 6", bit);
+}
+
 std::vector<GeneratedFile> emit_shade(const Profile& profile, std::string_view lobe) {
     const auto shade = make(profile, lobe);
     std::string slots, ports;
@@ -329,9 +340,9 @@ std::vector<GeneratedFile> emit_shade(const Profile& profile, std::string_view l
     file.text.replace(
         file.text.find(tag), tag.size(),
         fmt::format("    parameter TAG_W = 16,\n    parameter [{}:0] MASK = {}'d{},  // what is built: a bit "
-                    "each as in the port effects\n    parameter LOG_DEPTH = 6  // inputs in flight: "
+                    "each as in the port effects\n    parameter LOG_DEPTH = {}  // inputs in flight: "
                     "2^LOG_DEPTH\n",
-                    term_count, term_count + 1, (std::int64_t{2} << term_count) - 1));
+                    term_count, term_count + 1, (std::int64_t{2} << term_count) - 1, log_depth(O)));
     return {file};
 }
 
@@ -339,11 +350,21 @@ std::vector<EffectCase> shade_cases(const EffectModel& model) {
     const auto ports = model.inputs();
     const std::int64_t one = std::int64_t{1} << model.profile().O;
     const std::int64_t all = ports[0].high;
-    // A pixel in full light: everything asked for, dot products 1/2, colours 1.
+    // A pixel in full light: everything asked for, dot products 1/2, colours 1, and parameters of which each term has a
+    // value of its own, below saturation: half of their range, but for those that would make it 0 or saturate.
+    const std::pair<std::string_view, std::int64_t> parameters[] = {{"cook_torrance_falloff", one},           // 1
+                                                                    {"cook_torrance_level", 0},               // 2^0
+                                                                    {"cook_torrance_modified_level", 0},      // 2^0
+                                                                    {"cook_torrance_modified_stretch", 256},  // 1
+                                                                    {"cook_torrance_modified_c0", 0}};
     std::vector<std::int64_t> base;
     for (const EffectPort& port : ports) {
         const bool colour = port.kind == EffectPort::Kind::colour;
-        base.push_back(colour ? one : std::clamp((port.high + 1) / 2, port.low, port.high));
+        std::int64_t code = colour ? one : std::clamp((port.high + 1) / 2, port.low, port.high);
+        for (const auto& [name, own] : parameters) {
+            if (port.name == name) code = own;
+        }
+        base.push_back(code);
     }
     base[0] = all;
     std::vector<EffectCase> cases;
@@ -382,6 +403,12 @@ std::vector<EffectCase> shade_cases(const EffectModel& model) {
 }
 
 }  // namespace
+
+std::vector<std::string_view> shade_effects() {
+    std::vector<std::string_view> out{"ambient"};
+    for (const Term& term : terms) out.push_back(term.effect);
+    return out;
+}
 
 Effect shade_effect();
 

@@ -3,8 +3,9 @@
 import check_effects
 from oracle import SHIPPED
 
-TERMS = {"lambert": "diffuse", "phong": "specular", "blinn_phong": "specular", "oren_nayar": "diffuse", "ward": "specular"}
-SHARED = {"nl", "nv", "nh", "rv", "lv", "ht", "hb", "n"}
+TERMS = {"lambert": "diffuse", "phong": "specular", "blinn_phong": "specular", "oren_nayar": "diffuse", "ward": "specular",
+         "cook_torrance": "specular", "cook_torrance_modified": "specular"}
+SHARED = {"nl", "nv", "nh", "rv", "lv", "ht", "hb", "vh", "n"}
 
 
 class Effect:
@@ -21,7 +22,7 @@ class Effect:
         def colours(k, i):
             return [ports[f"{name}_{c}"] for name in (k, i) for c in "rgb"]
 
-        asked = [bit for bit in range(6) if ports["effects"] >> bit & 1]
+        asked = [bit for bit in range(1 + len(TERMS)) if ports["effects"] >> bit & 1]
         sums, clamped, values = {"diffuse": 0, "specular": 0}, 0, {}
         for bit, (name, kind) in enumerate(TERMS.items(), 1):
             values[name] = 0
