@@ -52,6 +52,7 @@ std::vector<const UnitKind*> find_units(const GoldenModel& model, const std::vec
     std::string known;
     std::vector<const UnitKind*> out;
     for (const UnitKind& kind : unit_kinds()) {
+        if (kind.lobe != model.lobe()) continue;
         known += fmt::format("{}{} {} {} {}", known.empty() ? "" : ", ", kind.lobe, kind.profile, kind.unit,
                              kind.architecture);
     }
@@ -67,7 +68,8 @@ std::vector<const UnitKind*> find_units(const GoldenModel& model, const std::vec
             throw Error(fmt::format(
                 "unit '{} {} {} {}' is not in this build, which has: {} (the CMake lists GLINT_PROFILES and "
                 "GLINT_ARCHITECTURES say)",
-                model.lobe(), model.profile().name, unit, architecture, known));
+                model.lobe(), model.profile().name, unit, architecture,
+                known.empty() ? fmt::format("nothing of {}", model.lobe()) : known));
         }
     };
     for (const std::string& unit : units) {
@@ -232,7 +234,7 @@ int main(int argc, char** argv) {
     CLI::Option* unit =
         app.add_option("--unit", options.unit, "core, axis or both, separated by a comma")->capture_default_str();
     app.add_option("--architecture", options.architecture,
-                   "Architectures, separated by commas, or all of this build; without it the default one");
+                   "Architectures, by commas, or all of this build; without it the default one");
     CLI::Option* exhaustive = app.add_flag("--exhaustive", options.exhaustive, "Every legal input");
     CLI::Option* n = app.add_option("--n", options.n, "Exponents: n, first:last, first:last:step or all");
     CLI::Option* cos = app.add_option("--cos", options.cos, "Cosine codes: a range as for --n, or all (0 to 2^F)");

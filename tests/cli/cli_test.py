@@ -569,14 +569,14 @@ class Cosim(Case):
                                "--cos", "0:1000", "--json", "out.json", "--junit", "out.xml")
             name = profile.replace(",", "_")
             for unit in ("core", "axis"):
-                self.matches(table, rf"(?m)^bps +{name} +{unit} +stream +1 001 +0 ")
+                self.matches(table, rf"(?m)^bps +{name} +{unit} +restoring +stream +1 001 +0 ")
             self.matches(table, r"\n2 of 2 runs passed, seed 1\n\Z")
             runs = json.loads(self.read("out.json"))["runs"]
             self.equal([(run["lobe"], run["profile"], run["unit"]) for run in runs],
                        [("bps", name, "core"), ("bps", name, "axis")])
             for run in runs:
                 self.equal((run["mismatches"], run["inputs"], run["exhaustive"]), (0, 1001, False))
-                self.true(run["latency_cycles"] > 0 and run["results_per_cycle"] == 1.0, f"{run}")
+                self.true(run["latency_cycles"] > 0 and run["interval_cycles"] == 1 and run["architecture"] == "restoring", f"{run}")
             # Measured on the hardware's own results, the errors are those of the model.
             self.good("sweep", "--profile", profile, "--n", "50", "--cos", "0:1000", "--json", "model.json")
             (model,) = json.loads(self.read("model.json"))["runs"]
@@ -584,7 +584,7 @@ class Cosim(Case):
                 self.equal(run["accuracy"], model["accuracy"])
             suite = xml.etree.ElementTree.parse(self.folder / "out.xml").getroot()
             self.equal((suite.tag, suite.get("tests"), suite.get("failures")), ("testsuite", "2", "0"))
-            self.equal([case.get("name") for case in suite], [f"bps {name} core stream", f"bps {name} axis stream"])
+            self.equal([case.get("name") for case in suite], [f"bps {name} {unit} restoring stream" for unit in ("core", "axis")])
             for case in suite:
                 self.equal(case.tag, "testcase")
                 self.true(float(case.get("time")) >= 0.0 and len(case) == 0, xml.etree.ElementTree.tostring(case))
@@ -604,9 +604,9 @@ class Cosim(Case):
         name = profile.replace(",", "_")
         few = ("--n", "50", "--cos", "0:5", "--profile", profile)
         self.refused("nothing to run: .*--exhaustive", "--profile", profile)
-        self.refused(rf"'bps 12_11_10_9 core' is not in this build, which has: .*bps {name} core.*GLINT_PROFILES",
+        self.refused(rf"'bps 12_11_10_9 core restoring' is not in this build, which has: .*bps {name} core.*GLINT_PROFILES",
                      *few[:4], "--profile", "12,11,10,9")
-        self.refused(rf"'bps {name} pci' is not in this build, which has: .*bps {name} axis", *few, "--unit", "pci")
+        self.refused(rf"'bps {name} pci restoring' is not in this build, which has: .*bps {name} axis", *few, "--unit", "pci")
         self.refused("lobe 'phong' is not known: .*bps", *few, "--lobe", "phong")
         self.refused("profile 'p9' is not legal", *few[:4], "--profile", "p9")
         self.refused("--n '0' is not legal: .*1 to 1023", "--profile", profile, "--n", 0)

@@ -73,7 +73,8 @@ TEST_CASE("harness: the critical path of a unit with logic is the unit's, that o
     Flow flow(folder.path());
     const Unit unit{"glint_square", ".S(12), .R(12)", {{"enable_i"}, {"x_i", 13}}, {{"y_o", 13}}};
     const Device& device = find_device("hx8k");
-    const std::vector<Source> sources{{"glint_square.v", read_file(rtl / "glint_square.v")},
+    const std::vector<Source> sources{{"glint_multiplier.v", read_file(rtl / "glint_multiplier.v")},
+                                      {"glint_square.v", read_file(rtl / "glint_square.v")},
                                       {"glint_harness.v", harness(unit)}};
     const Routing whole = Flow::Netlist(flow, sources, device, false).route(1);
     CHECK(whole.fits);

@@ -188,8 +188,9 @@ def lint(tool, folders):
                 done += 1
                 damaged += 1
                 if top.endswith("_p12") and "_axis_" not in top:
-                    divides = "parameter DIVIDER" in files[0].read_text()
-                    for parameters in ARCHITECTURES if divides else [{"MULTIPLIER_STAGES": 3}]:
+                    text = files[0].read_text()
+                    pipelines = [{"MULTIPLIER_STAGES": 3}] if "parameter MULTIPLIER_STAGES" in text else []
+                    for parameters in ARCHITECTURES if "parameter DIVIDER" in text else pipelines:
                         silent(command(tool, top, files, parameters))
                         done += 1
     modules = 0

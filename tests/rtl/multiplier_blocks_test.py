@@ -3,7 +3,7 @@
 
     multiplier_blocks_test.py YOSYS FOLDER     the folder of the wrappers
 
-Every unit at p12, with products of one clock, is synthesized as far as Yosys chooses such blocks; a unit without one is a
+Every lobe's unit at p12, with products of one clock, is synthesized as far as Yosys chooses such blocks; a unit without one is a
 failure, and so is one with blocks where they are switched off, which shows that the count counts.
 """
 
@@ -29,7 +29,8 @@ def blocks(yosys, wrapper, flow, block):
 
 def main():
     yosys, folder = sys.argv[1:]
-    wrappers = [file for file in sorted(Path(folder).glob("glint_*_p12.v")) if "_axis_" not in file.name]
+    lobes = re.findall(r"^GLINT_LOBE\((\w+)\)$", (RTL.parent / "model/include/glint/lobes.def").read_text(), re.MULTILINE)
+    wrappers = [Path(folder) / f"glint_{lobe}_p12.v" for lobe in lobes]
     try:
         for block, (on, off) in FLOWS.items():
             for wrapper in wrappers:
