@@ -234,7 +234,7 @@ int main(int argc, char** argv) {
     CLI::Option* unit =
         app.add_option("--unit", options.unit, "core, axis or both, separated by a comma")->capture_default_str();
     app.add_option("--architecture", options.architecture,
-                   "Architectures, by commas, or all of this build; without it the default one");
+                   "Architectures, by commas, or all; without it the default one");
     CLI::Option* exhaustive = app.add_flag("--exhaustive", options.exhaustive, "Every legal input");
     CLI::Option* n = app.add_option("--n", options.n, "Exponents: n, first:last, first:last:step or all");
     CLI::Option* cos = app.add_option("--cos", options.cos, "Cosine codes: a range as for --n, or all (0 to 2^F)");
