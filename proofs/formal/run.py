@@ -23,7 +23,7 @@ from dataclasses import dataclass, field
 
 HERE = pathlib.Path(__file__).resolve().parent
 RTL = HERE.parent.parent / "rtl"
-TIMEOUT_SECONDS = 300
+LIMITS_SECONDS = (15, 120)  # of each way of asking the solver, one after the other
 PROGRAMS = {"yosys": "yosys", "yosys-smtbmc": "yosys", "z3": "z3"}  # and the package of each
 
 
@@ -297,7 +297,7 @@ def prepare(task, folder):
 
 def run(command, folder, what):
     done = subprocess.run(command, cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
-                          check=False, timeout=TIMEOUT_SECONDS)
+                          check=False, timeout=LIMITS_SECONDS[-1])
     if done.returncode != 0:
         raise RuntimeError(f"{what} ended with status {done.returncode}: {' '.join(done.stdout.split())[-300:]}")
 
@@ -316,27 +316,38 @@ def stop(number, _):
     os._exit(128 + number)
 
 
-def solve(task, folder, *arguments):
-    """One run of yosys-smtbmc: whether it ended with PASSED, and what it printed."""
-    # Which way of asking z3 answers fast differs by factors of a hundred, either way.
-    induction = {"unit": [], "axis": ["--unroll"]}
-    ways = ["--unroll", "--noincr"] if task.method != "induction" else induction.get(task.kind, ["--unroll", "--noincr"])
-    command = ["yosys-smtbmc", "--noprogress", *ways, "-s", "z3", *arguments, "model.smt2"]
+def ask(command, folder, limit):
+    """What the solver printed, or None when it had no answer after so many seconds."""
     process = subprocess.Popen(command, cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
                                start_new_session=True)
     solvers.add(process.pid)
     try:
-        output, _ = process.communicate(timeout=TIMEOUT_SECONDS)
-    except subprocess.TimeoutExpired as error:
+        return process.communicate(timeout=limit)[0]
+    except subprocess.TimeoutExpired:
         os.killpg(process.pid, signal.SIGKILL)
         process.communicate()
-        raise RuntimeError(f"the solver was stopped after {TIMEOUT_SECONDS} s") from error
+        return None
     finally:
         solvers.discard(process.pid)
-    found = re.search(r"Status: (\w+)", output)
-    if not found:
-        raise RuntimeError(f"no status from yosys-smtbmc: {' '.join(output.split())[-300:]}")
-    return found.group(1) == "PASSED", output
+
+
+def solve(task, folder, *arguments):
+    """One run of yosys-smtbmc: whether it ended with PASSED, and what it printed."""
+    # Which way of asking z3 answers fast differs by factors of a hundred, either way, and with any edit of the Verilog:
+    # each way gets a little time, then each more.
+    ways = [["--unroll", "--noincr"], ["--noincr"], ["--unroll"], []]
+    first = {"unit": ["--noincr"], "axis": ["--unroll"]}.get(task.kind) if task.method == "induction" else None
+    ways.sort(key=lambda way: way != first)
+    for limit in LIMITS_SECONDS:
+        for way in ways:
+            output = ask(["yosys-smtbmc", "--noprogress", *way, "-s", "z3", *arguments, "model.smt2"], folder, limit)
+            if output is None:
+                continue
+            found = re.search(r"Status: (\w+)", output)
+            if not found:
+                raise RuntimeError(f"no status from yosys-smtbmc: {' '.join(output.split())[-300:]}")
+            return found.group(1) == "PASSED", output
+    raise RuntimeError(f"no answer from the solver, asked in {len(ways)} ways for {LIMITS_SECONDS[-1]} s each")
 
 
 def failed_property(output):
