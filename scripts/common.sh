@@ -45,6 +45,7 @@ install_missing() {
     need python3 command_there python3
     if [ "$1" = test ]; then
         need catch2 file_there '/usr/include/catch2/catch*.hpp'
+        need libclang-rt-dev file_there '/usr/lib/llvm-*/lib/clang/*/lib/linux/libclang_rt.asan-*.a'
         need valgrind command_there valgrind
         need libbenchmark-dev file_there '/usr/include/benchmark/benchmark.h'
         need iverilog command_there iverilog

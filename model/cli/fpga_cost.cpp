@@ -245,9 +245,17 @@ FpgaPoint price(Flow& flow, const Request& request, const std::vector<Source>& s
             out.clocks_mhz.clear();
             break;
         }
+        if (!routing.routed) {
+            out.unrouted_seeds.push_back(seed);
+            continue;
+        }
         out.clocks_mhz.push_back(routing.clock_mhz);
         out.harness_limits |= routing.harness_limits;
         out.cells = routing.cells - alone.route(seed).cells;
+    }
+    if (out.fits && out.clocks_mhz.empty()) {
+        out.fits = false;
+        out.why = fmt::format("no seed is routed in {} s of processor time", router_cpu_seconds);
     }
     out.hash = hash(key);
     return out;

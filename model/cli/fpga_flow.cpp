@@ -88,7 +88,12 @@ bool is_in_harness(const Json& path) {
 }
 
 Routing routing(const Json& found) {
-    return {found.at("fits"), found.at("why"), found.at("clock_mhz"), found.at("cells"), found.at("harness_limits")};
+    return {.fits = found.at("fits"),
+            .why = found.at("why"),
+            .routed = found.value("routed", true),
+            .clock_mhz = found.at("clock_mhz"),
+            .cells = found.at("cells"),
+            .harness_limits = found.at("harness_limits")};
 }
 
 /// The texts of all sources as one.
@@ -237,11 +242,8 @@ Routing Flow::Netlist::route(int seed) {
     for (const std::string& argument : device_.arguments) key += " " + argument;
     return routing(flow_.cached(key + key_, [&] {
         const Routing found = run_router(seed);
-        return Json{{"fits", found.fits},
-                    {"why", found.why},
-                    {"clock_mhz", found.clock_mhz},
-                    {"cells", found.cells},
-                    {"harness_limits", found.harness_limits}};
+        return Json{{"fits", found.fits},           {"why", found.why},     {"routed", found.routed},
+                    {"clock_mhz", found.clock_mhz}, {"cells", found.cells}, {"harness_limits", found.harness_limits}};
     }));
 }
 
@@ -257,16 +259,17 @@ Routing Flow::Netlist::run_router(int seed) {
     }
     if (router == "nextpnr-ice40") arguments.push_back("--pcf-allow-unconstrained");
     const fs::path log = folder_->path() / fmt::format("log-{}", seed);
-    const int status = run_program(flow_.tool(router).path, arguments, folder_->path(), log);
+    const int status = run_program(flow_.tool(router).path, arguments, folder_->path(), log, router_cpu_seconds);
+    if (status == out_of_time) return {.fits = true};
     if (status != 0) {
         const std::string said = read_file(log);
-        if (const std::optional<std::string> why = no_fit(said)) return {false, *why};
+        if (const std::optional<std::string> why = no_fit(said)) return {.why = *why};
         throw ToolFailure(fmt::format("{} failed with exit status {}: {}", router, status, complaint(said)));
     }
     const Json report = written(router, folder_->path() / "report.json");
     if (report.at("fmax").size() != 1)
         throw ToolFailure(fmt::format("{} found {} clocks, not 1", router, report["fmax"].size()));
-    Routing out{true, {}};
+    Routing out{.fits = true, .routed = true};
     const auto clock = report["fmax"].items().begin();
     out.clock_mhz = clock.value().at("achieved");
     out.cells = report.at("utilization").at(std::string(device_.family->cell)).at("used");

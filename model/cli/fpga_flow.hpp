@@ -39,10 +39,15 @@ std::vector<Source> with_dependencies(const std::filesystem::path& rtl, const st
 /// 64 bits (FNV-1a) in hexadecimal.
 std::string hash(std::string_view text);
 
+/// A router that takes and gives back the same wires for ever is stopped after so much processor time; the longest that
+/// came to an end took a twentieth of it.
+constexpr unsigned router_cpu_seconds = 600;
+
 /// A place and route with one seed.
 struct Routing {
     bool fits = false;
-    std::string why;              ///< it does not fit
+    std::string why{};            ///< it does not fit
+    bool routed = false;          ///< it fits, and the router came to an end
     double clock_mhz = 0.0;       ///< the highest clock of the whole design
     int cells = 0;                ///< of Family::cell
     bool harness_limits = false;  ///< no logic of the unit lies in the critical path

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "common.hpp"
+#include "fpga_flow.hpp"
 #include "glint/error.hpp"
 #include "process.hpp"
 
@@ -40,6 +41,7 @@ Json to_json(const FpgaPoint& point) {
     if (!point.clocks_mhz.empty()) out["clock_mhz"] = rounded(point.clock_mhz());
     out["clock_mhz_seeds"] = Json::array();
     for (const double clock : point.clocks_mhz) out["clock_mhz_seeds"].push_back(rounded(clock));
+    if (!point.unrouted_seeds.empty()) out["unrouted_seeds"] = point.unrouted_seeds;
     out["latency"] = point.latency;
     out["interval"] = point.interval;
     if (!point.error.is_null()) out["error"] = point.error;
@@ -129,6 +131,10 @@ std::string points_table(const std::vector<FpgaPoint>& points) {
         const std::string what =
             fmt::format("{} {} {} {}", point.lobe, point.profile, point.architecture, point.device);
         if (point.routed && !point.fits) notes += fmt::format("{} does not fit: {}\n", what, point.why);
+        for (const int seed : point.unrouted_seeds) {
+            notes +=
+                fmt::format("{}: seed {} is not routed in {} s of processor time\n", what, seed, router_cpu_seconds);
+        }
         if (point.harness_limits) notes += fmt::format("{}*: the critical path is in the harness\n", what);
     }
     return table(rows) + notes;

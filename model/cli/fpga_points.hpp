@@ -22,13 +22,14 @@ struct FpgaPoint {
     int cells = 0;        ///< of the unit, after packing (Family::cell); 0: it was not placed
     bool routed = false;  ///< the device has a router; else what follows is not known
     bool fits = false;
-    std::string why;                 ///< it does not fit
-    std::vector<double> clocks_mhz;  ///< after place and route, one a seed
-    bool harness_limits = false;     ///< with one of the seeds the critical path is in the harness alone
-    int latency = 0;                 ///< clocks
-    int interval = 0;                ///< clocks between two results
-    nlohmann::ordered_json error;    ///< of a rival: against c^n; null for the lobes
-    std::string hash;                ///< of the sources, the options and the seeds
+    std::string why;                  ///< it does not fit
+    std::vector<double> clocks_mhz;   ///< after place and route, one a seed
+    std::vector<int> unrouted_seeds;  ///< without one: the router found no end
+    bool harness_limits = false;      ///< with one of the seeds the critical path is in the harness alone
+    int latency = 0;                  ///< clocks
+    int interval = 0;                 ///< clocks between two results
+    nlohmann::ordered_json error;     ///< of a rival: against c^n; null for the lobes
+    std::string hash;                 ///< of the sources, the options and the seeds
 
     double clock_mhz() const;  ///< the median; 0 when there is none
     double latency_ns() const;

@@ -2,10 +2,12 @@
 
 #include <fcntl.h>
 #include <spawn.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <cerrno>
+#include <csignal>
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
@@ -50,8 +52,10 @@ TemporaryFolder::~TemporaryFolder() {
     fs::remove_all(path_, ignored);
 }
 
+const int out_of_time = 128 + SIGXCPU;
+
 int run_program(const fs::path& program, const std::vector<std::string>& arguments, const fs::path& folder,
-                const fs::path& log) {
+                const fs::path& log, std::optional<unsigned> cpu_seconds) {
     std::vector<std::string> words{program.filename().string()};
     words.insert(words.end(), arguments.begin(), arguments.end());
     std::vector<char*> argv;
@@ -67,6 +71,10 @@ int run_program(const fs::path& program, const std::vector<std::string>& argumen
     const int failure = posix_spawn(&child, program.c_str(), &actions, nullptr, argv.data(), environ);
     posix_spawn_file_actions_destroy(&actions);
     if (failure != 0) throw Error(fmt::format("'{}' cannot be run: {}", program.string(), std::strerror(failure)));
+    if (cpu_seconds) {
+        const rlimit limit{*cpu_seconds, *cpu_seconds + 10};
+        prlimit(child, RLIMIT_CPU, &limit, nullptr);
+    }
     int status = 0;
     while (waitpid(child, &status, 0) < 0) {
         if (errno != EINTR) throw Error(fmt::format("'{}' was lost: {}", program.string(), std::strerror(errno)));

@@ -26,9 +26,14 @@ private:
 };
 
 /// The exit status, or 128 and more after a signal, as a shell has it. The program works in `folder`; its output and
-/// errors are appended to the file `log`. Throws Error when it cannot be started.
+/// errors are appended to the file `log`. With `cpu_seconds`, more processor time than that ends it: out_of_time.
+/// Throws Error when it cannot be started.
 int run_program(const std::filesystem::path& program, const std::vector<std::string>& arguments,
-                const std::filesystem::path& folder, const std::filesystem::path& log);
+                const std::filesystem::path& folder, const std::filesystem::path& log,
+                std::optional<unsigned> cpu_seconds = std::nullopt);
+
+/// What run_program returns for a program that had no more time.
+extern const int out_of_time;
 
 /// Throws Error.
 std::string read_file(const std::filesystem::path& path);
