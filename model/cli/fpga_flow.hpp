@@ -39,9 +39,9 @@ std::vector<Source> with_dependencies(const std::filesystem::path& rtl, const st
 /// 64 bits (FNV-1a) in hexadecimal.
 std::string hash(std::string_view text);
 
-/// A router that takes and gives back the same wires for ever is stopped after so much processor time; the longest that
-/// came to an end took a twentieth of it.
-constexpr unsigned router_cpu_seconds = 600;
+/// A router that takes and gives back the same wires for ever is stopped after so much processor time, many times what
+/// one that comes to an end takes.
+constexpr unsigned router_cpu_seconds = 300;
 
 /// A place and route with one seed.
 struct Routing {
