@@ -13,6 +13,7 @@
 #include "engine.hpp"
 #include "glint/error.hpp"
 #include "glint/shade.hpp"
+#include "models.hpp"
 #include "rtl_unit.hpp"
 
 namespace glint::cli {
@@ -32,6 +33,7 @@ struct Options {
     bool all_effects = false;
     bool compare = false;
     std::string against;
+    std::string against_model;
     std::string json;
     unsigned threads = 0;
 };
@@ -181,6 +183,28 @@ std::uint64_t unequal_pixels(const Picture& a, const Picture& b) {
     return out;
 }
 
+/// What the float picture of --compare shows, if not the same as the others.
+Plan other_plan(const Options& options, const Job& job) {
+    Scene scene = job.scene;
+    if (!options.against_model.empty()) {
+        const LightingModel& model = *find_model(options.against_model);
+        for (Material& material : scene.materials) {
+            std::string& name = model.diffuse ? material.diffuse_model : material.specular_model;
+            if (!name.empty()) name = model.name;
+        }
+        std::vector<std::string> warnings;
+        warn_of_limits(scene.materials, warnings);
+        for (const std::string& warning : warnings) {
+            const std::vector<std::string>& said = job.scene.warnings;
+            if (std::find(said.begin(), said.end(), warning) == said.end()) {
+                fmt::print(stderr, "glint: warning: {}\n", warning);
+            }
+        }
+    }
+    return make_plan(scene, job.fragments, options.against.empty() ? options.lobe : options.against,
+                     options.all_effects);
+}
+
 /// "out.png", "float" -> "out_float.png".
 std::filesystem::path beside(const std::filesystem::path& output, const std::string& part) {
     std::filesystem::path out = output;
@@ -196,8 +220,14 @@ int run_render(const Options& options, const std::string& command) {
         throw Error(fmt::format("-o '{}' is not legal: a file NAME.png", options.output));
     }
     if (!options.against.empty() && !options.compare) throw Error("--against is not legal without --compare");
+    if (!options.against_model.empty() && !options.compare) {
+        throw Error("--against-model is not legal without --compare");
+    }
     parse_lobe(options.lobe);
     if (!options.against.empty()) parse_lobe(options.against);
+    if (!options.against_model.empty() && find_model(options.against_model) == nullptr) {
+        throw Error(fmt::format("--against-model '{}' is not known: {}", options.against_model, known_models()));
+    }
     check_writable(options.output);
     check_writable(options.json);
 
@@ -230,11 +260,12 @@ int run_render(const Options& options, const std::string& command) {
         engines = {"float", "fixed"};
         if (obstacle.empty()) engines.emplace_back("rtl");
     }
+    // The names that --against and --against-model gave, for what is printed.
+    std::vector<std::string> others{options.against, options.against_model};
+    others.erase(std::remove(others.begin(), others.end(), ""), others.end());
     std::vector<Result> results;
     for (const std::string& engine : engines) {
-        const bool other = engine == "float" && !options.against.empty();
-        results.push_back(
-            job.run(engine, other ? make_plan(job.scene, job.fragments, options.against, options.all_effects) : plan));
+        results.push_back(job.run(engine, engine == "float" && !others.empty() ? other_plan(options, job) : plan));
     }
     std::vector<std::vector<std::string>> rows{{"engine", "shading, s", "million evaluations/s", "corrected inputs"}};
     for (const Result& result : results) {
@@ -282,8 +313,8 @@ int run_render(const Options& options, const std::string& command) {
         fmt::print(
             "{} against float{}: PSNR {:.2f} dB, SSIM {:.5f}, largest difference {} of 255 and {:.2f} ulp of "
             "2^-{} in linear light, {} pixels differ as shown\n",
-            last.engine, options.against.empty() ? "" : " with " + options.against, distance.psnr, distance.ssim,
-            distance.largest, distance.largest_linear / ulp, job.profile.O, grouped(distance.unequal));
+            last.engine, others.empty() ? "" : fmt::format(" with {}", fmt::join(others, ", ")), distance.psnr,
+            distance.ssim, distance.largest, distance.largest_linear / ulp, job.profile.O, grouped(distance.unequal));
         json["against_float"] = {{"engine", last.engine},
                                  {"lobe", options.against.empty() ? options.lobe : options.against},
                                  {"psnr_db", std::isinf(distance.psnr) ? Json() : Json(distance.psnr)},
@@ -292,13 +323,14 @@ int run_render(const Options& options, const std::string& command) {
                                  {"largest_linear", distance.largest_linear},
                                  {"largest_linear_ulp", distance.largest_linear / ulp},
                                  {"unequal_pixels", distance.unequal}};
+        if (!options.against_model.empty()) json["against_float"]["model"] = options.against_model;
         if (job.fragments.empty()) {
             fmt::print("FAILED: nothing was shaded, so nothing was compared\n");
             failed = true;
         }
         files.emplace_back(beside(options.output, "float"), png(real));
         files.emplace_back(beside(options.output, last.engine), png(last.picture));
-        const bool in_ulp = options.against.empty();
+        const bool in_ulp = others.empty();
         files.emplace_back(beside(options.output, "difference"),
                            png(difference(last.picture, real, in_ulp ? ulp : 1.0, in_ulp ? "ulp" : "of 1")));
     }
@@ -327,6 +359,8 @@ void add_render(CLI::App& app, Chosen& chosen) {
     command->add_flag("--all-effects", options->all_effects, "Every unit evaluates every fragment, needed or not");
     command->add_flag("--compare", options->compare, "All engines, and NAME_difference.png; exit 1 unless fixed = rtl");
     command->add_option("--against", options->against, "With --compare: the lobe of the float picture");
+    command->add_option("--against-model", options->against_model,
+                        "With --compare: the lighting model of the float picture");
     command->add_option("--json", options->json, "Write plan, times and differences");
     add_integer(*command, "--threads", options->threads, 0, most_threads, "Threads; 0: one a core");
     command->footer("Example: glint render scenes/still_life.json --engine rtl --samples 4 -o still_life.png");

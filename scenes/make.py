@@ -105,6 +105,15 @@ def bowl():
     return lathe("a bowl on a foot", spline(outside + inside, 5), 64)
 
 
+def pot():
+    """A pot with a lid: the wall is upright, the lid a flat cone, so both show how a highlight runs across grooves."""
+    profile = [(0, 0), (0.54, 0), (0.60, 0.02), (0.63, 0.07), (0.64, 0.14), (0.64, 0.14), (0.64, 0.40), (0.64, 0.66),
+               (0.64, 0.66), (0.675, 0.672), (0.69, 0.69), (0.675, 0.712), (0.655, 0.715), (0.655, 0.715), (0.40, 0.785),
+               (0.16, 0.85), (0.16, 0.85), (0.075, 0.862), (0.06, 0.90), (0.10, 0.955), (0.135, 1.01), (0.115, 1.065),
+               (0.05, 1.09), (0, 1.093)]
+    return lathe("a pot with a lid", spline(profile, 3), 64)
+
+
 def mix(a, b, t):
     t = min(1, max(0, t))
     return tuple(x + (y - x) * t for x, y in zip(a, b))
@@ -468,15 +477,168 @@ def models():
         camera={"eye": [0, 0, 16], "target": [0, 0, 0], "fov": 14.2})
 
 
+# ------------------------------------------------------------------------------------------ one lighting model by another
+
+PAIR_LIGHT = (-14.0, 22.0, 24.0)  # far away, as its direction is: the sides are lit alike
+PAIR = [  # the objects of one side
+    ("vase.obj", "vase", (-0.42, 0, -0.62), 0, 0.92, STILL_LIFE[0][5]),
+    ("pot.obj", "pot", (0.46, 0, 0.10), 0, 0.92, [(0, 0.36, 0, 0.60), (0, 0.8, 0, 0.2)]),
+    ("sphere.obj", "ball", (-0.52, 0.34, 0.52), 0, 0.34, [(0, 0, 0, 1)]),
+]
+PAIR_CAMERA = {"eye": [0, 2.5, 5.6], "target": [0, 0.70, 0.0], "fov": 29}
+
+
+def twice(objects, left, right, apart):
+    """The objects on the left and on the right, in materials whose names begin with the side's."""
+    return [(file, f"{side} {material}", (round(x + offset, 3), y, z), turn, scale, spheres)
+            for side, offset in ((left, -apart / 2), (right, apart / 2))
+            for file, material, (x, y, z), turn, scale, spheres in objects]
+
+
+def away(place):
+    """The direction in which light goes that comes from far away at a place."""
+    return [-c for c in place]
+
+
+BRUSHED = twice(PAIR, "brushed", "plain", 2.5)
+CLAY = twice(PAIR, "clay", "lambert", 2.5)
+
+
+def metal(colour, diffuse, **keys):
+    return {"Ka": [round(0.5 * c, 3) for c in colour], "Kd": [round(diffuse * c, 3) for c in colour], "Ks": colour, **keys}
+
+
+def brushed_metal():
+    metals = {"vase": ((0.75, 0.50, 0.20), 0.26), "pot": ((0.62, 0.63, 0.66), 0.24), "ball": ((0.80, 0.42, 0.28), 0.22)}
+    materials = {"bench": {"Ka": [0.06, 0.065, 0.08], "Kd": [0.06, 0.065, 0.08]}}
+    for side, aniso in (("brushed", 0.92), ("plain", 0)):
+        for name, (colour, roughness) in metals.items():
+            materials[f"{side} {name}"] = metal(colour, 0.16, brdf="lambert ward", Pr=roughness, aniso=aniso)
+    return scene(
+        "Turned metal by ward: on the left brushed, so that highlights run across the grooves; on the right the same "
+        "roughness in all directions.",
+        objects=[{"file": "pair_ground.obj", "material": "bench"}, *placed(BRUSHED)],
+        materials=materials,
+        lights=[
+            {"direction": away(PAIR_LIGHT), "colour": [1.0, 0.95, 0.88], "intensity": 1.7},
+            {"direction": [-1.0, -0.30, -1.3], "colour": [0.62, 0.78, 1.0], "intensity": 0.8},
+            {"position": [0, 3.4, -2.4], "colour": [1.0, 0.90, 0.75], "intensity": 7, "attenuation": [1, 0, 0.35]},
+        ],
+        ambient=[0.16, 0.17, 0.20],
+        camera=PAIR_CAMERA)
+
+
+def clay():
+    colours = {"vase": (0.70, 0.38, 0.26), "pot": (0.62, 0.54, 0.44), "ball": (0.72, 0.66, 0.58)}
+    materials = {"paper": {"Ka": [0.15, 0.18, 0.20], "Kd": [0.15, 0.18, 0.20]}}
+    for side, model in (("clay", "oren_nayar"), ("lambert", "lambert")):
+        for name, colour in colours.items():
+            materials[f"{side} {name}"] = {"Ka": colour, "Kd": colour, "brdf": model, "Pr": 0.9}
+    return scene(
+        "Unglazed clay: on the left by oren_nayar, which throws light back to where it came from and stays flat up to "
+        "its edge; on the right by lambert.",
+        objects=[{"file": "pair_ground.obj", "material": "paper"}, *placed(CLAY)],
+        materials=materials,
+        lights=[
+            {"direction": [0.35, -0.50, -1.0], "colour": [1.0, 0.95, 0.87], "intensity": 1.1},
+            {"position": [0, 3.4, -2.6], "colour": [0.75, 0.86, 1.0], "intensity": 1.6, "attenuation": [1, 0, 0.35]},
+        ],
+        ambient=[0.10, 0.11, 0.13],
+        camera=PAIR_CAMERA)
+
+
+METALS_LIGHT = (-15.0, 22.0, 20.0)
+METALS = twice([
+    ("vase.obj", "copper, rough", (-0.10, 0, -0.72), 0, 0.86, STILL_LIFE[0][5]),
+    ("bowl.obj", "steel, rough", (-0.66, 0, 0.20), 0, 0.74, STILL_LIFE[1][5]),
+    ("knot.obj", "gold", (0.52, 0.42, 0.10), 15, 0.62, [(0, 0, 0, 0.62)]),
+    ("sphere.obj", "steel, polished", (0.02, 0.22, 0.62), 0, 0.22, [(0, 0, 0, 1)]),
+    ("sphere.obj", "copper, polished", (0.60, 0.17, 0.82), 0, 0.17, [(0, 0, 0, 1)]),
+], "full", "modified", 2.5)
+
+
+def metals():
+    colours = {"copper": (0.96, 0.50, 0.33), "gold": (1.0, 0.72, 0.28), "steel": (0.72, 0.74, 0.78)}
+    roughness = {"copper, rough": 0.5, "steel, rough": 0.36, "gold": 0.22, "steel, polished": 0.12,
+                 "copper, polished": 0.14}
+    materials = {"slate": {"Ka": [0.06, 0.07, 0.09], "Kd": [0.06, 0.07, 0.09]}}
+    for side, model in (("full", "cook_torrance"), ("modified", "cook_torrance_modified")):
+        for name, m in roughness.items():
+            materials[f"{side} {name}"] = metal(colours[name.split(",")[0]], 0.08, brdf=f"lambert {model}", Pr=m, Ni=4)
+    return scene(
+        "Rough and polished copper, gold and steel: on the left by cook_torrance, on the right by its modified form.",
+        objects=[{"file": "metals_ground.obj", "material": "slate"}, *placed(METALS)],
+        materials=materials,
+        lights=[
+            {"direction": away(METALS_LIGHT), "colour": [1.0, 0.94, 0.86], "intensity": 1.9},
+            {"direction": [-1.0, -0.45, -0.8], "colour": [0.62, 0.78, 1.0], "intensity": 0.9},
+            {"position": [0.0, 3.6, -2.2], "colour": [1.0, 0.92, 0.80], "intensity": 6, "attenuation": [1, 0, 0.30]},
+        ],
+        ambient=[0.14, 0.15, 0.18],
+        camera={"eye": [0, 2.3, 5.6], "target": [0, 0.64, 0.0], "fov": 28})
+
+
+# ------------------------------------------------------------------------------------------------------- all at once
+
+EVERYTHING_LIGHT = (-3.2, 4.2, 3.2)
+EVERYTHING = [
+    ("vase.obj", "glaze", (-0.30, 0, -0.75), 0, 1.06, STILL_LIFE[0][5]),
+    ("vase.obj", "copper", (-1.52, 0, -0.55), 0, 0.66, STILL_LIFE[0][5]),
+    ("pot.obj", "brushed steel", (-1.02, 0, 0.34), 0, 0.74, [(0, 0.36, 0, 0.60), (0, 0.8, 0, 0.2)]),
+    ("bowl.obj", "terracotta", (0.82, 0, -0.22), 0, 1.06, STILL_LIFE[1][5]),
+    ("apple.obj", "fruit", (0.60, 0.40, -0.30), 40, 0.88, []),
+    ("apple.obj", "fruit", (1.12, 0.42, -0.20), 170, 0.80, []),
+    ("pear.obj", "fruit", (1.86, 0, 0.10), 200, 0.86, [(0, 0.33, 0, 0.37), (0, 0.8, 0, 0.2)]),
+    ("apple.obj", "fruit", (-0.08, 0, 0.62), 250, 0.74, [(0, 0.35, 0, 0.37)]),
+    ("knot.obj", "gold", (0.90, 0.22, 0.94), 15, 0.44, [(0, 0, 0, 0.62)]),
+    ("sphere.obj", "pearl", (0.26, 0.12, 1.06), 0, 0.12, [(0, 0, 0, 1)]),
+    ("sphere.obj", "pearl", (0.04, 0.09, 1.26), 0, 0.09, [(0, 0, 0, 1)]),
+    ("sphere.obj", "pearl", (1.56, 0.13, 0.88), 0, 0.13, [(0, 0, 0, 1)]),
+    ("sphere.obj", "chalk", (-1.86, 0.17, 0.55), 0, 0.17, [(0, 0, 0, 1)]),
+]
+
+
+def everything():
+    return scene(
+        "A still life that calls for every effect: terracotta and chalk (oren_nayar), glaze and fruit (lambert, "
+        "blinn_phong), pearls (phong), brushed steel (ward), copper (cook_torrance), gold (cook_torrance_modified).",
+        objects=[{"file": "everything_ground.obj", "material": "paper"}, *placed(EVERYTHING)],
+        materials={
+            "paper": {"Ka": [0.20, 0.17, 0.18], "Kd": [0.22, 0.19, 0.20]},
+            "glaze": {"Ka": [0.03, 0.09, 0.20], "Kd": [0.02, 0.10, 0.24], "Ks": [0.62, 0.66, 0.70], "Ns": 180},
+            "terracotta": {"Ka": [0.55, 0.22, 0.12], "Kd": [0.66, 0.27, 0.15], "brdf": "oren_nayar", "Pr": 0.8},
+            "chalk": {"Ka": [0.6, 0.56, 0.5], "Kd": [0.70, 0.65, 0.58], "brdf": "oren_nayar", "Pr": 0.9},
+            "brushed steel": metal((0.80, 0.81, 0.84), 0.14, brdf="lambert ward", Pr=0.22, aniso=0.92),
+            "copper": metal((0.96, 0.50, 0.33), 0.14, brdf="lambert cook_torrance", Pr=0.36, Ni=4),
+            "gold": metal((1.0, 0.72, 0.28), 0.12, brdf="lambert cook_torrance_modified", Pr=0.22, Ni=4),
+            "fruit": {"Ka": [0.9, 0.9, 0.9], "Kd": [0.8, 0.8, 0.8], "Ks": [0.25, 0.25, 0.23], "Ns": 60},
+            "pearl": {"Ka": [0.42, 0.40, 0.42], "Kd": [0.46, 0.43, 0.44], "Ks": [0.75, 0.72, 0.78], "Ns": 200,
+                      "brdf": "lambert phong"},
+        },
+        lights=[
+            {"position": EVERYTHING_LIGHT, "colour": [1.0, 0.90, 0.76], "intensity": 14, "attenuation": [1, 0, 0.5]},
+            {"position": [3.8, 1.9, 2.0], "colour": [0.42, 0.62, 1.0], "intensity": 4.5, "attenuation": [1, 0, 0.45]},
+            {"direction": [-0.55, -0.55, 1.0], "colour": [1.0, 0.66, 0.42], "intensity": 0.9},
+            {"direction": [0.15, -0.30, -1.0], "colour": [1.0, 0.92, 0.84], "intensity": 0.20},
+        ],
+        ambient=[0.10, 0.10, 0.14],
+        camera={"eye": [0.15, 1.95, 5.5], "target": [0.12, 0.82, 0.0], "fov": 31})
+
+
 def files():
     return {
         "sphere.obj": sphere(), "vase.obj": vase(), "bowl.obj": bowl(), "apple.obj": apple(), "pear.obj": pear(),
-        "knot.obj": knot(),
+        "knot.obj": knot(), "pot.obj": pot(),
         "still_life_ground.obj": ground("the paper of still_life.json", blockers(STILL_LIFE), STILL_LIGHT, 6.5, 3.4, -3.6, 5.0, 66, 44),
         "matte_ground.obj": ground("the paper of matte.json", blockers(MATTE), MATTE_LIGHT, 6.5, 3.4, -3.6, 5.0, 66, 44),
+        "pair_ground.obj": ground("the ground of brushed_metal.json and clay.json", blockers(BRUSHED), PAIR_LIGHT, 6.5, 3.4, -3.6, 5.0, 56, 32),
+        "metals_ground.obj": ground("the ground of metals.json", blockers(METALS), METALS_LIGHT, 6.5, 3.4, -3.6, 5.0, 56, 32),
+        "everything_ground.obj": ground("the paper of everything.json", blockers(EVERYTHING), EVERYTHING_LIGHT, 6.5, 3.4, -3.6, 5.0, 66, 44),
         "many_lights_floor.obj": floor(), "bulbs.obj": bulb_model(), "bulbs.mtl": bulb_materials(),
         "still_life.json": still_life(), "sphere_grid.json": sphere_grid(), "matte.json": matte(),
         "many_lights.json": many_lights(), "figure.json": figure(), "models.json": models(),
+        "brushed_metal.json": brushed_metal(), "clay.json": clay(), "metals.json": metals(),
+        "everything.json": everything(),
     }
 
 

@@ -22,7 +22,8 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "cli"))
 from case import Case, OPTIONS, ROOT  # noqa: E402
 
 SCENES = ROOT / "scenes"
-SHIPPED = ("still_life", "sphere_grid", "matte", "many_lights", "figure", "models")
+SHIPPED = ("still_life", "sphere_grid", "matte", "many_lights", "figure", "models", "brushed_metal", "clay", "metals",
+           "everything")
 
 
 def decode_png(data):
@@ -136,7 +137,20 @@ class Scenes(RenderCase):
                 self.matches(done.stdout, rf"as one unit: shade{lobe}, MASK {unit['mask']} \({', '.join(unit['effects'])}\)\n")
             masks[name] = [unit["mask"] for unit in found["plan"]["shade"]]
         self.equal(masks["matte"], [3])
-        self.equal(masks["models"], [2 ** len(table) - 1])
+        for name in ("models", "everything"):
+            self.equal(masks[name], [2 ** len(table) - 1])
+
+    def test_everything_calls_for_every_effect(self):
+        """Those that the build has, as its own list says; shade is made of them."""
+        done = self.run_tool("emit", "--effect", "none", "--profile", "p12", "-o", ".")
+        effects = set(re.search("is not known: (.*)", done.stderr)[1].split(", ")) - {"shade"}
+        self.true({"ambient", "tint", "ward", "cook_torrance"} <= effects, f"{effects}")
+        self.render(SCENES / "everything.json", "--size", "96x54", "-o", "a.png", "--json", "a.json")
+        plan = self.json("a.json")["plan"]
+        self.equal({unit["effect"] for unit in plan["units"]}, effects)
+        self.true(all(unit["evaluations"] > 0 for unit in plan["units"]), f"{plan['units']}")
+        self.equal(plan["not_needed"], [])
+        self.true(all(material["fragments"] > 10 for material in plan["materials"]), f"{plan['materials']}")
 
     def test_shade_of_two_lobes(self):
         """A unit of shade has one lobe; a material without any goes where it adds least."""
@@ -237,6 +251,29 @@ class Engines(RenderCase):
             self.equal(found["lobe"], "blinn_phong")
             self.true(20 < found["psnr_db"] < most, f"{lobe}: {found}")
             self.true(found["largest_linear"] < 0.21, f"{lobe}: {found}")
+
+    def test_against_model(self):
+        """The float picture by another model: as a scene whose materials name it."""
+        scene = json.loads((SCENES / "metals.json").read_text())
+        for part in scene["objects"]:
+            part["file"] = str(SCENES / part["file"])
+        for material in scene["materials"].values():
+            if "Ks" in material:
+                material["brdf"] = "lambert cook_torrance"
+        self.write("full.json", scene)
+        self.render("full.json", "--engine", "float", "--size", "96x54", "-o", "a.png")
+        psnr = {}
+        for model in ("cook_torrance", "cook_torrance_modified", "phong", "oren_nayar"):
+            done = self.render("full.json", "--compare", "--against-model", model, "--size", "96x54", "-o", "c.png",
+                               "--json", "c.json")
+            self.matches(done.stdout, f"against float with {model}: PSNR")
+            found = self.json("c.json")["against_float"]
+            self.equal(found["model"], model)
+            psnr[model] = found["psnr_db"]
+        self.true(psnr["cook_torrance"] > 50 > psnr["cook_torrance_modified"] > psnr["phong"], f"{psnr}")
+        self.true(psnr["oren_nayar"] < 50, f"{psnr}")
+        self.render(SCENES / "metals.json", "--compare", "--against-model", "cook_torrance", "--size", "96x54", "-o", "c.png")
+        self.equal((self.folder / "c_float.png").read_bytes(), (self.folder / "a.png").read_bytes())
 
     def test_engine_pictures(self):
         """A picture by one engine is that of --compare."""
@@ -383,6 +420,9 @@ class Refusals(RenderCase):
                 ("profile 'p9' is not legal", (figure, "-o", "a.png", "--profile", "p9")),
                 ("--against is not legal without --compare", (figure, "-o", "a.png", "--against", "bps")),
                 ("lobe 'x' is not known", (figure, "-o", "a.png", "--compare", "--against", "x")),
+                ("--against-model is not legal without --compare", (figure, "-o", "a.png", "--against-model", "ward")),
+                ("--against-model 'x' is not known: lambert, .*ward",
+                 (figure, "-o", "a.png", "--compare", "--against-model", "x")),
                 ("file 'none/a.png' cannot be written", (figure, "-o", "none/a.png")),
                 ("file 'none/a.json' cannot be written", (figure, "-o", "a.png", "--json", "none/a.json")),
                 ("file 'none.json' cannot be read", ("none.json", "-o", "a.png")),
