@@ -1,7 +1,7 @@
 #include "report_paper2_cpu_page.hpp"
 
 #include <algorithm>
-#include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -20,12 +20,11 @@ constexpr double tolerance = 0.1;
 
 struct Cost {
     std::string_view name;
-    std::string_view unit;
     std::optional<double> (*of)(const CpuPrice&);
 };
-constexpr Cost throughput{"throughput", "ns", [](const CpuPrice& p) { return std::optional(p.throughput); }};
-constexpr Cost latency{"latency", "ns", [](const CpuPrice& p) { return p.latency; }};
-constexpr Cost instructions{"instructions", "", [](const CpuPrice& p) { return p.instructions; }};
+constexpr Cost throughput{"throughput", [](const CpuPrice& p) { return std::optional(p.throughput); }};
+constexpr Cost latency{"latency", [](const CpuPrice& p) { return p.latency; }};
+constexpr Cost instructions{"instructions", [](const CpuPrice& p) { return p.instructions; }};
 
 /// The models' prices by the names that people read.
 struct Models {
@@ -59,39 +58,34 @@ const paper2::TableRow* printed(std::string_view model) {
 // ---- claims ------------------------------------------------------------------------------------------------------
 
 std::string_view variant(std::string_view model) {
-    return model == modified[0] ? "with the cubic of the angle" : "with the cubic of N.H";
+    return model == modified[0] ? "Cubic of the angle" : "Cubic of N.H";
+}
+
+std::string_view verdict_of(const std::optional<double>& times, double claimed) {
+    if (!times) return "not measured";
+    if (*times <= 1.0) return "not true";
+    if (*times < claimed * (1.0 - tolerance)) return "less than printed";
+    return *times <= claimed * (1.0 + tolerance) ? "true" : "more than printed";
 }
 
 /// A cost of the full form over that of each modified one, and whether it bears out the printed ratio.
-std::vector<Cell> gain(const Models& models, std::string_view claim, const std::string& claimed, const Cost& cost,
-                       double ratio) {
+std::vector<Cell> gain(const Models& models, std::string_view claim, const std::string& printed_text, const Cost& cost,
+                       double claimed) {
     std::string measured, verdict;
     for (const std::string_view model : modified) {
-        std::string here;
-        bool any = false, all_true = true, all_more = true, all_less = true, none = true;
+        std::string times_text, words;
         for (const std::string_view type : types) {
             const auto times = models.ratio(cost, full, model, type);
-            here += fmt::format("{}{} {}", here.empty() ? "" : ", ", type, number(times, 2));
-            if (!times) continue;
-            any = true;
-            all_true = all_true && std::abs(*times / ratio - 1.0) <= tolerance;
-            all_more = all_more && *times >= ratio * (1.0 - tolerance);
-            all_less = all_less && *times < ratio * (1.0 - tolerance);
-            none = none && *times <= 1.0 + tolerance;
+            const std::string_view separator = times_text.empty() ? "" : ", ";
+            times_text += fmt::format("{}{} in {}", separator, number(times, 2), type);
+            words += fmt::format("{}{} in {}", separator, verdict_of(times, claimed), type);
         }
-        measured += fmt::format("{}{}: {}", measured.empty() ? "" : "; ", variant(model), here);
-        verdict += fmt::format("{} {}. ",
-                               !any       ? "Not measured"
-                               : all_true ? "True"
-                               : all_more ? "True, and more,"
-                               : none     ? "Not true"
-                               : all_less ? "Less than printed"
-                                          : "True of one number type only",
-                               variant(model));
+        measured += fmt::format(" {}: {}.", variant(model), times_text);
+        verdict += fmt::format("{}{}: {}.", verdict.empty() ? "" : " ", variant(model), words);
     }
     return {{"claim", std::string(claim), Cell::words},
-            {"printed", claimed, Cell::words},
-            {"measured", "the full form costs, in times: " + measured, Cell::words},
+            {"printed", printed_text, Cell::words},
+            {"measured", "Full / modified." + measured, Cell::words},
             {"verdict", verdict, Cell::words}};
 }
 
@@ -138,23 +132,31 @@ std::string claims(const Models& models) {
 
 // ---- the models --------------------------------------------------------------------------------------------------
 
+/// Of the full form's instructions and of its time, as the paper has them.
+std::pair<std::optional<double>, std::optional<double>> printed_ratios(std::string_view model) {
+    const auto* of_full = printed(full);
+    const auto* row = printed(model);
+    if (model == modified[0]) {
+        return {static_cast<double>(paper2::printed_modified_instructions) / of_full->instructions,
+                1.0 / paper2::printed_speedup};
+    }
+    if (row == nullptr) return {};
+    return {static_cast<double>(row->instructions) / of_full->instructions,
+            of_full->pixels_per_second / row->pixels_per_second};
+}
+
 std::string models_table(const Models& models, std::string_view type) {
     std::vector<std::vector<Cell>> rows;
-    const auto* printed_full = printed(full);
     for (const auto& counted : models.data.models) {
         const auto& price = models.price(counted.model, type);
-        const auto* row = printed(counted.model);
+        const auto [fewer, faster] = printed_ratios(counted.model);
         const auto ratio = [&](const Cost& cost, std::string_view other) {
             return number(models.ratio(cost, counted.model, other, type), 2);
         };
         rows.push_back(
             {{"model", fmt::format("{}<small>{}</small>", counted.model, escaped(counted.form)), Cell::words},
-             {"printed: instructions / full",
-              row == nullptr
-                  ? "–"
-                  : fmt::format("{:.2f}", static_cast<double>(row->instructions) / printed_full->instructions)},
-             {"printed: time / full",
-              row == nullptr ? "–" : fmt::format("{:.2f}", printed_full->pixels_per_second / row->pixels_per_second)},
+             {"printed: instructions / full", number(fewer, 2)},
+             {"printed: time / full", number(faster, 2)},
              {"throughput, ns",
               fmt::format("{:.2f}<small>{:.2f} to {:.2f}</small>", price.throughput, price.q1, price.q3)},
              {"/ Lambert", ratio(throughput, base)},
