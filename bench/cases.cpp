@@ -12,6 +12,7 @@
 #include "glint/paper.hpp"
 #include "glint/study.hpp"
 #include "glint/vectors.hpp"
+#include "opaque.hpp"
 
 namespace glint::bench {
 namespace {
@@ -36,13 +37,6 @@ struct Pairs {
 constexpr double throughput_zones = 3.0;
 /// Where no lobe is cut to 0: with the cut a branch, which processors foresee, the next evaluation would not wait.
 constexpr double latency_zones = 1.0;
-
-/// A value that the compiler knows nothing of.
-template <class T>
-T opaque(T value) {
-    benchmark::DoNotOptimize(value);
-    return value;
-}
 
 template <class T>
 struct RealInputs {
@@ -147,7 +141,7 @@ Case real_dependency() {
 
 }  // namespace
 
-std::string Case::name() const { return lobe + "/" + type + (profile.empty() ? "" : "/" + profile) + "/" + form; }
+const Program program{"glint-bench", "lobe", "glint-cost-cpu-1"};
 
 std::vector<Case> dependencies() {
     const auto data = std::make_shared<FixedInputs>(parse_profile(fixed_profile), Pairs(latency_zones));

@@ -1,8 +1,9 @@
-// glint-bench: what a lobe costs on this processor, beside what people use for c^n today (docs/cpu-cost.md).
+// glint-bench: what a lobe costs on this processor, beside what people use for c^n today; glint-bench-models: what a
+// lighting model costs (docs/cpu-cost.md). Both take
 //
-//   glint-bench [options of Google Benchmark]    times; one iteration of a benchmark is input_count results
-//   glint-bench --describe                       compiler, flags and all cases, as JSON
-//   glint-bench --passes N [NAME ...]            runs the cases for callgrind, all or those named: bench/run.py
+//   [options of Google Benchmark]    times; one iteration of a benchmark is input_count results
+//   --describe                       compiler, flags and all cases, as JSON
+//   --passes N [NAME ...]            runs the cases for callgrind, all or those named: bench/run.py
 
 #include <benchmark/benchmark.h>
 
@@ -27,12 +28,13 @@ void add_benchmark(const std::string& name, const std::function<void()>& work) {
 }
 
 int describe() {
-    nlohmann::ordered_json out{{"compiler", GLINT_BENCH_COMPILER},
+    nlohmann::ordered_json out{{"format", program.format},
+                               {"compiler", GLINT_BENCH_COMPILER},
                                {"flags", GLINT_BENCH_FLAGS},
                                {"inputs", input_count},
                                {"cases", nlohmann::ordered_json::array()}};
     for (const Case& c : cases()) {
-        nlohmann::ordered_json entry{{"name", c.name()}, {"lobe", c.lobe}, {"type", c.type}};
+        nlohmann::ordered_json entry{{"name", c.name()}, {program.subject, c.subject}, {"type", c.type}};
         if (!c.profile.empty()) entry["profile"] = c.profile;
         entry["form"] = c.form;
         entry["formula"] = c.formula;
@@ -60,7 +62,7 @@ int run_passes(int argc, char** argv) {
     const char* text = argc > 2 ? argv[2] : "";
     const auto [end, error] = std::from_chars(text, text + std::strlen(text), passes);
     if (error != std::errc{} || *end != '\0' || passes < 1 || passes > 1000) {
-        std::fprintf(stderr, "glint-bench: --passes '%s' is not legal: a whole number, 1 to 1000\n", text);
+        std::fprintf(stderr, "%s: --passes '%s' is not legal: a whole number, 1 to 1000\n", program.name, text);
         return 2;
     }
     const std::vector<Case> all = cases();
@@ -68,7 +70,7 @@ int run_passes(int argc, char** argv) {
     for (int i = 3; i < argc; ++i) {
         const auto it = std::find_if(all.begin(), all.end(), [&](const Case& c) { return c.name() == argv[i]; });
         if (it == all.end()) {
-            std::fprintf(stderr, "glint-bench: '%s' is not legal: a name that --describe lists\n", argv[i]);
+            std::fprintf(stderr, "%s: '%s' is not legal: a name that --describe lists\n", program.name, argv[i]);
             return 2;
         }
         chosen.push_back(&*it);
@@ -87,8 +89,11 @@ int run_passes(int argc, char** argv) {
 
 int main(int argc, char** argv) {
 #ifdef __x86_64__
-    if (!__builtin_cpu_supports("avx2") || !__builtin_cpu_supports("fma")) {
-        std::fputs("glint-bench: this processor lacks AVX2 and FMA, for which the batches are compiled\n", stderr);
+    const std::vector<Case> all = cases();
+    const bool batches = std::any_of(all.begin(), all.end(), [](const Case& c) { return c.form == "batch"; });
+    if (batches && (!__builtin_cpu_supports("avx2") || !__builtin_cpu_supports("fma"))) {
+        std::fprintf(stderr, "%s: this processor lacks AVX2 and FMA, for which the batches are compiled\n",
+                     program.name);
         return 2;
     }
 #endif

@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""What a lobe costs on this processor, by glint-bench: times by Google Benchmark, instructions by Valgrind's callgrind.
+"""What a lobe costs on this processor, by glint-bench, or a lighting model, by glint-bench-models: times by Google
+Benchmark, instructions by Valgrind's callgrind.
 
 Times are medians over repetitions in random order, of processor time; a latency is less that of the chain itself.
 Instructions are counted twice, and the counts have to be the same. docs/cpu-cost.md says what each figure means.
@@ -20,7 +21,7 @@ import sys
 import tempfile
 
 TOOL = "bench/run.py"
-FORMAT = "glint-cost-cpu-1"
+SUBJECTS = ("lobe", "model")  # a point has one of them
 PASSES = 4
 
 
@@ -59,7 +60,7 @@ def count_instructions(bench, names, valgrind):
 def total(dump):
     found = re.search(r"^totals: (\d+)$", dump.read_text(), re.M) if dump.exists() else None
     if not found:
-        raise UsageError("callgrind did not count where glint-bench marks: no totals in its output")
+        raise UsageError("callgrind did not count where the program marks: no totals in its output")
     return int(found[1])
 
 
@@ -106,7 +107,8 @@ def measure(options, bench, valgrind):
     described = json.loads(run(bench, "--describe"))
     cases = [case for case in described["cases"] if re.search(options.only, case["name"])]
     if not cases:
-        raise UsageError(f"--only '{options.only}' is not legal: it has to match a case, such as bps/double/scalar")
+        raise UsageError(f"--only '{options.only}' is not legal: it has to match a case, such as "
+                         f"{described['cases'][0]['name']}")
     names = [case["name"] for case in cases]
     inputs = described["inputs"]
 
@@ -128,7 +130,7 @@ def measure(options, bench, valgrind):
 
     points = []
     for case in cases:
-        point = {key: case[key] for key in ("lobe", "type", "profile", "form", "formula") if key in case}
+        point = {key: case[key] for key in (*SUBJECTS, "type", "profile", "form", "formula") if key in case}
         throughput = times.get(f"throughput/{case['name']}")
         latency = times.get(f"latency/{case['name']}")
         point["throughput_ns"] = point["latency_ns"] = None
@@ -146,7 +148,7 @@ def measure(options, bench, valgrind):
                "library": " ".join(platform.libc_ver()),
                "valgrind": run(valgrind, "--version").strip() if valgrind else None,
                "date": datetime.date.today().isoformat()}
-    return {"format": FORMAT, "machine": machine, "command": " ".join([TOOL, *sys.argv[1:]]), "inputs": inputs,
+    return {"format": described["format"], "machine": machine, "command": " ".join([TOOL, *sys.argv[1:]]), "inputs": inputs,
             "repetitions": options.repetitions if times else 0,
             "dependency_ns": {key: rounded(value) for key, value in dependency.items()}, "points": points}
 
@@ -175,7 +177,7 @@ def show(result):
 
     print(f"{'':42}{'ns/result':>10}{'quartiles':>18}{'latency':>9}{'instructions':>14}")
     for point in result["points"]:
-        name = "/".join(point[key] for key in ("lobe", "type", "profile", "form") if key in point)
+        name = "/".join(point[key] for key in (*SUBJECTS, "type", "profile", "form") if key in point)
         quartiles = "-".join(shown(point[key], 3) for key in ("throughput_q1_ns", "throughput_q3_ns") if key in point)
         print(f"{name:42}{shown(point['throughput_ns'], 3):>10}{quartiles:>18}{shown(point['latency_ns'], 2):>9}"
               f"{shown(point['instructions'], 2):>14}")
@@ -212,7 +214,7 @@ def parse(arguments):
     parser = Parser(prog=TOOL, description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter,
                     epilog="Example: bench/run.py --bench build/release/glint-bench --json cost/cpu.json",
                     allow_abbrev=False)
-    parser.add_argument("--bench", required=True, metavar="FILE", help="the program glint-bench")
+    parser.add_argument("--bench", required=True, metavar="FILE", help="the program glint-bench or glint-bench-models")
     parser.add_argument("--json", type=pathlib.Path, metavar="FILE", help="write the results here")
     parser.add_argument("--only", type=expression, default="", metavar="REGEX", help="the cases whose names match it")
     parser.add_argument("--repetitions", type=whole(3, 1000), default=15, metavar="N", help="of each time (default: 15)")

@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Tests of bench/run.py and glint-bench, and of the committed cost/cpu.json. None depends on a time.
+"""Tests of bench/run.py, glint-bench and glint-bench-models, and of the committed cost/cpu.json and
+cost/cpu-models.json. None depends on a time.
 
 Without Valgrind the tests of instruction counts are skipped, with the reason.
 """
@@ -16,8 +17,9 @@ from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
 ROOT = HERE.parent
-OPTIONS = argparse.Namespace(bench=None)
+OPTIONS = argparse.Namespace(bench=None, models=None)
 LOBES = re.findall(r"^GLINT_LOBE\((\w+)\)$", (ROOT / "model/include/glint/lobes.def").read_text(), re.M)
+MODELS = re.findall(r'string_view name = "(\w+)"', (ROOT / "model/src/lighting.hpp").read_text())
 needs_valgrind = unittest.skipUnless(shutil.which("valgrind"), "Valgrind not found; install the package `valgrind`")
 
 
@@ -27,8 +29,10 @@ class Case(unittest.TestCase):
         self.addCleanup(folder.cleanup)
         self.folder = Path(folder.name)
 
+    bench = property(lambda self: OPTIONS.bench)  # the program that the case is about
+
     def run_py(self, *arguments, bench=True):
-        command = [sys.executable, HERE / "run.py", *(["--bench", OPTIONS.bench] if bench else []), *arguments]
+        command = [sys.executable, HERE / "run.py", *(["--bench", self.bench] if bench else []), *arguments]
         return subprocess.run(list(map(str, command)), stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
                               timeout=250, cwd=self.folder)
 
@@ -44,26 +48,27 @@ class Case(unittest.TestCase):
         self.assertEqual(list(self.folder.iterdir()), [], "a file was left behind")
 
     def described(self):
-        return json.loads(subprocess.run([OPTIONS.bench, "--describe"], check=True, stdout=subprocess.PIPE).stdout)
+        return json.loads(subprocess.run([self.bench, "--describe"], check=True, stdout=subprocess.PIPE).stdout)
 
 
-class Committed(Case):
-    """cost/cpu.json is whole, and of the lobes and functions of this project."""
+class Committed:
+    """A file of prices is whole, and of the functions of this project."""
 
     def setUp(self):
         super().setUp()
-        self.file = json.loads((ROOT / "cost/cpu.json").read_text())
+        self.file = json.loads((ROOT / "cost" / self.name).read_text())
         self.points = self.file["points"]
 
     def test_schema(self):
-        self.assertEqual(self.file["format"], "glint-cost-cpu-1")
+        described = self.described()
+        self.assertEqual(self.file["format"], described["format"])
+        self.assertEqual(self.file["inputs"], described["inputs"])
         for key in ("cpu", "compiler", "flags", "library", "valgrind", "date"):
             self.assertTrue(isinstance(self.file["machine"][key], str) and self.file["machine"][key], key)
         self.assertRegex(self.file["machine"]["date"], r"\A\d{4}-\d\d-\d\d\Z")
         self.assertGreaterEqual(self.file["repetitions"], 9)
-        self.assertGreater(len(self.points), 80)
         for point in self.points:
-            self.assertIn(point["type"], ("double", "float", "fixed"), point)
+            self.assertIn(point["type"], self.types, point)
             self.assertIn(point["form"], ("scalar", "batch"), point)
             self.assertEqual(point.get("profile"), "p12" if point["type"] == "fixed" else None, point)
             self.assertTrue(0 < point["throughput_q1_ns"] <= point["throughput_ns"] <= point["throughput_q3_ns"], point)
@@ -72,11 +77,25 @@ class Committed(Case):
                 self.assertIsNone(point["latency_ns"], point)
             else:
                 self.assertTrue(0 < point["latency_q1_ns"] <= point["latency_ns"] <= point["latency_q3_ns"], point)
-        for key in ("double", "float", "fixed"):
-            self.assertGreater(self.file["dependency_ns"][key], 0)
+        self.assertEqual(sorted(self.file["dependency_ns"]), sorted(self.types))
+        for kind in self.types:
+            self.assertGreater(self.file["dependency_ns"][kind], 0)
+
+    def test_current(self):
+        """The functions of this build are those of the file, but for what a build may lack."""
+        def keys(entries):
+            return {(entry[self.subject], entry["type"], entry["form"], entry["formula"]) for entry in entries
+                    if "libmvec" not in entry[self.subject]}
+
+        self.assertEqual(keys(self.points), keys(self.described()["cases"]))
+
+
+class CommittedLobes(Committed, Case):
+    name, subject, types = "cpu.json", "lobe", ("double", "float", "fixed")
 
     def test_whole(self):
         there = [(point["lobe"], point["type"], point["form"]) for point in self.points]
+        self.assertGreater(len(there), 80)
         self.assertEqual(len(there), len(set(there)), "a point stands twice")
         self.assertGreater(len(LOBES), 0)
         for lobe in LOBES:
@@ -87,13 +106,16 @@ class Committed(Case):
             self.assertIn((rival, "float", "scalar"), there)
         self.assertIn(("pow_libmvec", "double", "batch"), there)
 
-    def test_current(self):
-        """The functions of this build are those of the file, but for what a build may lack."""
-        def keys(entries):
-            return {(entry["lobe"], entry["type"], entry["form"], entry["formula"]) for entry in entries
-                    if "libmvec" not in entry["lobe"]}
 
-        self.assertEqual(keys(self.points), keys(self.described()["cases"]))
+class CommittedModels(Committed, Case):
+    name, subject, types = "cpu-models.json", "model", ("double", "float")
+    bench = property(lambda self: OPTIONS.models)
+
+    def test_whole(self):
+        """Each model of model/src/lighting.hpp, of which the paper's five are some, once in each type."""
+        self.assertLess({"lambert", "phong", "blinn_phong", "cook_torrance", "ward", "oren_nayar", "modified_angle"}, set(MODELS))
+        self.assertEqual(sorted((point["model"], point["type"], point["form"]) for point in self.points),
+                         sorted((model, kind, "scalar") for model in MODELS for kind in self.types))
 
 
 class Counts(Case):
@@ -134,6 +156,33 @@ class Counts(Case):
         self.assertRegex(done.stdout, r"(?m)^schlick/double/batch +\d")
 
 
+class ModelCounts(Case):
+    bench = property(lambda self: OPTIONS.models)
+
+    @needs_valgrind
+    def test_plausible(self):
+        """At least an instruction for each operation of the formula; the modified form in N.H has fewer than the full one."""
+        self.good("--counts-only", "--json", "models.json")
+        results = json.loads((self.folder / "models.json").read_text())
+        self.assertEqual(results["format"], "glint-cost-cpu-models-1")
+        counts = {(point["model"], point["type"]): point["instructions"] for point in results["points"]}
+        self.assertEqual(len(counts), 2 * len(MODELS))
+        for kind in ("double", "float"):
+            for model in set(MODELS) - {"lambert"}:
+                self.assertGreater(counts[model, kind], counts["lambert", kind], model)
+            self.assertGreaterEqual(counts["lambert", kind], 8)
+            self.assertGreaterEqual(counts["modified_half", kind], 47)
+            self.assertLess(counts["modified_half", kind], counts["cook_torrance", kind])
+
+    def test_times(self):
+        self.good("--valgrind", "./none", "--only", "^(lambert|cook_torrance)/double/", "--json", "times.json",
+                  "--repetitions", "3", "--min-time", "0.001")
+        points = json.loads((self.folder / "times.json").read_text())["points"]
+        self.assertEqual([point["model"] for point in points], ["lambert", "cook_torrance"])
+        for point in points:
+            self.assertTrue(point["throughput_ns"] > 0 and point["latency_ns"] > 0, point)
+
+
 class Vectors(Case):
     @unittest.skipUnless(shutil.which("nm"), "nm not found; install the package `binutils`")
     def test_libmvec(self):
@@ -158,17 +207,21 @@ class Refusals(Case):
         self.refused("unrecognized arguments: --color", "--color")
 
     def test_bench(self):
-        for arguments, pattern in ((("--passes", "0"), "--passes '0' is not legal: a whole number, 1 to 1000"),
-                                   (("--passes",), "--passes '' is not legal"),
-                                   (("--passes", "1", "bps"), "'bps' is not legal: a name that --describe lists"),
-                                   (("--none",), "none")):
-            done = subprocess.run([OPTIONS.bench, *arguments], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
-            self.assertEqual((done.returncode, done.stdout), (2, ""), done.stderr)
-            self.assertRegex(done.stderr, pattern)
+        for program in (OPTIONS.bench, OPTIONS.models):
+            name = Path(program).name
+            for arguments, pattern in ((("--passes", "0"), f"{name}: --passes '0' is not legal: a whole number, 1 to 1000"),
+                                       (("--passes",), "--passes '' is not legal"),
+                                       (("--passes", "1", "bps"), f"{name}: 'bps' is not legal: a name that --describe lists"),
+                                       (("--none",), "none")):
+                done = subprocess.run([program, *arguments], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+                self.assertEqual((done.returncode, done.stdout), (2, ""), done.stderr)
+                self.assertRegex(done.stderr, pattern)
 
 
 if __name__ == "__main__":
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--bench", required=True, type=lambda text: str(Path(text).resolve()), help="the program glint-bench")
+    for program in ("bench", "models"):
+        parser.add_argument(f"--{program}", required=True, type=lambda text: str(Path(text).resolve()), metavar="FILE",
+                            help=f"the program glint-bench{'-models' if program == 'models' else ''}")
     OPTIONS, rest = parser.parse_known_args()
     unittest.main(argv=[sys.argv[0], "-v", *rest])

@@ -126,7 +126,7 @@ CostPlotData cost_plot_data(const CostData& data, const Scope& scope, const std:
     if (out.configurations.empty()) throw Error(fmt::format("no price on {} has an error: nothing to plot", device));
     if (!data.cpu) return out;
     for (const CpuPrice& price : data.cpu->prices) {
-        const AccuracyRecord* record = price.type == "fixed" ? data.find(price.lobe, price.profile) : nullptr;
+        const AccuracyRecord* record = price.type == "fixed" ? data.find(price.name, price.profile) : nullptr;
         if (record != nullptr) out.cpu.push_back({price.throughput, record->error(scope.n, scope.cosine)});
     }
     return out;

@@ -51,7 +51,7 @@ std::string shown(const Configuration& c, Metric metric) {
 
 /// The error of the same integers, or none: that of floating point numbers is not measured here.
 std::optional<double> cpu_error(const CostData& data, const CpuPrice& point, const Scope& scope) {
-    const AccuracyRecord* record = point.type == "fixed" ? data.find(point.lobe, point.profile) : nullptr;
+    const AccuracyRecord* record = point.type == "fixed" ? data.find(point.name, point.profile) : nullptr;
     return record == nullptr ? std::nullopt : std::optional(record->error(scope.n, scope.cosine));
 }
 
@@ -59,7 +59,7 @@ std::string cpu_table(const CostData& data, const std::vector<CpuPrice>& cpu, co
     std::vector<std::vector<std::string>> rows{
         {"CPU", "type", "form", "error", "ns/result", "latency/ns", "instructions"}};
     for (const CpuPrice& price : cpu) {
-        rows.push_back({price.lobe, price.type + (price.profile.empty() ? "" : " " + price.profile), price.form,
+        rows.push_back({price.name, price.type + (price.profile.empty() ? "" : " " + price.profile), price.form,
                         short_number(cpu_error(data, price, scope)), short_number(price.throughput),
                         short_number(price.latency), short_number(price.instructions)});
     }
@@ -84,7 +84,7 @@ std::string to_csv(const std::vector<Configuration>& all, const std::vector<bool
     }
     // A CPU has no gates: its rows leave those columns empty.
     for (const CpuPrice& p : cpu) {
-        out += fmt::format("{},{},{},cpu,,,{},,,,,,,,{},{},{},\n", p.lobe,
+        out += fmt::format("{},{},{},cpu,,,{},,,,,,,,{},{},{},\n", p.name,
                            field(p.profile.empty() ? p.type : p.profile), p.form, number(cpu_error(data, p, scope)),
                            number(p.latency), number(p.throughput), number(1e9 / p.throughput));
     }
@@ -195,7 +195,7 @@ int run_cost_table(const CostTableOptions& options, const std::string& command) 
         }
         for (const CpuPrice& p : cpu) {
             const auto number = [](std::optional<double> x) { return x ? Json(*x) : Json(nullptr); };
-            out["cpu"].push_back({{"lobe", p.lobe},
+            out["cpu"].push_back({{"lobe", p.name},
                                   {"type", p.type},
                                   {"profile", p.profile},
                                   {"form", p.form},

@@ -16,9 +16,9 @@ double positive(const JsonNode& node, const char* key) {
     return out;
 }
 
-CpuPrice read_price(const JsonNode& node) {
+CpuPrice read_price(const JsonNode& node, const char* subject) {
     CpuPrice out;
-    out.lobe = node.word("lobe");
+    out.name = node.word(subject);
     out.type = node.word("type");
     if (out.type != "double" && out.type != "float" && out.type != "fixed") node.fail("type", "double, float or fixed");
     if (out.type == "fixed") out.profile = node.text("profile");
@@ -35,20 +35,11 @@ CpuPrice read_price(const JsonNode& node) {
     return out;
 }
 
-}  // namespace
-
-const CpuPrice* CpuPrices::find(std::string_view lobe, std::string_view type, std::string_view form) const {
-    const auto it = std::find_if(prices.begin(), prices.end(), [&](const CpuPrice& price) {
-        return price.lobe == lobe && price.type == type && price.form == form;
-    });
-    return it == prices.end() ? nullptr : &*it;
-}
-
-CpuPrices read_cpu_prices(const std::string& path) {
-    const std::string name = fmt::format("file of CPU prices '{}'", path);
+/// `subject` is the key of what a point is of.
+CpuPrices read(const std::string& path, const std::string& name, const char* format, const char* subject) {
     const nlohmann::json json = read_json(path, name);
     const JsonNode top(json, name);
-    if (top.text("format") != "glint-cost-cpu-1") top.fail("format", "glint-cost-cpu-1, as bench/run.py writes it");
+    if (top.text("format") != format) top.fail("format", fmt::format("{}, as bench/run.py writes it", format));
     CpuPrices out;
     out.command = top.text("command");
     const JsonNode machine = top.node("machine");
@@ -56,11 +47,39 @@ CpuPrices read_cpu_prices(const std::string& path) {
     out.compiler = machine.text("compiler");
     out.flags = machine.text("flags");
     out.date = machine.text("date");
-    for (const JsonNode& point : top.nodes("points")) out.prices.push_back(read_price(point));
+    for (const JsonNode& point : top.nodes("points")) out.prices.push_back(read_price(point, subject));
+    return out;
+}
+
+}  // namespace
+
+const CpuPrice* CpuPrices::find(std::string_view name, std::string_view type, std::string_view form) const {
+    const auto it = std::find_if(prices.begin(), prices.end(), [&](const CpuPrice& price) {
+        return price.name == name && price.type == type && price.form == form;
+    });
+    return it == prices.end() ? nullptr : &*it;
+}
+
+CpuPrices read_cpu_prices(const std::string& path) {
+    const std::string name = fmt::format("file of CPU prices '{}'", path);
+    const CpuPrices out = read(path, name, "glint-cost-cpu-1", "lobe");
     // What all ratios are to.
     if (out.find("schlick", "double", "scalar") == nullptr || out.find("schlick", "double", "batch") == nullptr) {
         throw Error(name +
                     " does not hold the lobe schlick in double, scalar and batch, to which the others are compared");
+    }
+    return out;
+}
+
+CpuPrices read_model_prices(const std::string& path, std::span<const paper2::CountedModel> models) {
+    const std::string name = fmt::format("file of CPU prices of models '{}'", path);
+    const CpuPrices out = read(path, name, "glint-cost-cpu-models-1", "model");
+    for (const paper2::CountedModel& model : models) {
+        for (const char* type : {"double", "float"}) {
+            if (out.find(model.name, type, "scalar") == nullptr) {
+                throw Error(fmt::format("{} does not hold the model {} in {}, scalar", name, model.name, type));
+            }
+        }
     }
     return out;
 }

@@ -30,6 +30,12 @@ int report(const ReportOptions& options) {
         cpu = read_cpu_prices(options.cpu);
         command += " --cpu " + options.cpu;
     }
+    const Paper2Data paper2 = paper2_data();
+    std::optional<CpuPrices> models;
+    if (!options.cpu_models.empty()) {
+        models = read_model_prices(options.cpu_models, paper2.models);
+        command += " --cpu-models " + options.cpu_models;
+    }
     std::optional<CostReport> cost;
     if (!options.cost.empty()) {
         cost = read_cost_report(options.cost);
@@ -38,7 +44,7 @@ int report(const ReportOptions& options) {
     command += " -o " + options.output;
 
     const std::vector<MeasuredRun> measured = measured_runs(files);
-    PlotData plots{curves(50), error_map("p12"), schlick_errors(), {}, paper_data(), paper2_data(), {}};
+    PlotData plots{curves(50), error_map("p12"), schlick_errors(), {}, paper_data(), paper2, {}};
     if (cost) plots.cost = cost->plots;
     std::copy_if(measured.begin(), measured.end(), std::back_inserter(plots.measured),
                  [](const MeasuredRun& run) { return !run.accuracy().rows.empty(); });
@@ -63,7 +69,7 @@ int report(const ReportOptions& options) {
     for (const std::string_view theme : themes) {
         if (!plots.measured.empty()) write(overview_file(theme), pictures.at(overview_file(theme)));
     }
-    write("index.html", page({files, proofs, cpu, cost, measured, plots, pictures, command}));
+    write("index.html", page({files, proofs, cpu, models, cost, measured, plots, pictures, command}));
     return success;
 }
 

@@ -11,6 +11,7 @@ struct ReportOptions {
     std::vector<std::string> results;  ///< JSON files of `glint-cosim --json` and `glint sweep --json`
     std::string proofs;                ///< JSON file of proofs/gappa/run.py --json; may be empty
     std::string cpu;                   ///< JSON file of bench/run.py --json; may be empty
+    std::string cpu_models;            ///< the same of lighting models; may be empty
     std::string cost;                  ///< folder of accuracy.json and fpga.json; may be empty
     std::string output;                ///< folder for index.html, the figures and the pictures
 };

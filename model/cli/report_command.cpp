@@ -12,6 +12,8 @@ void add_report(CLI::App& app, Chosen& chosen) {
     command->add_option("--proofs", options->proofs,
                         "JSON file of proofs/gappa/run.py, for the table of proven bounds");
     command->add_option("--cpu", options->cpu, "JSON file of bench/run.py, for what lobes cost on a processor");
+    command->add_option("--cpu-models", options->cpu_models,
+                        "JSON file of bench/run.py, for lighting models on a processor");
     command->add_option("--cost", options->cost, "Folder of accuracy.json and fpga.json, for what accuracy costs");
     command->add_option("-o,--output", options->output, "Folder for index.html, figures/*.csv and the pictures")
         ->capture_default_str();

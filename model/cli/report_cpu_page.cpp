@@ -21,17 +21,6 @@ std::string symbol_html(std::string_view lobe) {
     return {};
 }
 
-std::string missing_cpu_prices() {
-    return "<p>For measured times write <code>cpu.json</code> with <code>bench/run.py --bench "
-           "build/release/glint-bench --json cpu.json</code>, and give <code>--cpu cpu.json</code> to <code>glint "
-           "report</code>.</p>\n";
-}
-
-std::string measured_by(const CpuPrices& cpu) {
-    return fmt::format("Measured on {} by {} ({}; {}).", escaped(cpu.cpu), command_html(cpu.command),
-                       escaped(cpu.compiler), escaped(cpu.date));
-}
-
 // ---- Table 1 -----------------------------------------------------------------------------------------------------
 
 std::string operations_text(const Operations& o) {
@@ -140,6 +129,18 @@ std::string claim_of_table_1(const CpuPrices& cpu) {
 
 }  // namespace
 
+std::string measured_by(const CpuPrices& cpu) {
+    return fmt::format("Measured on {} by {} ({}; {}).", escaped(cpu.cpu), command_html(cpu.command),
+                       escaped(cpu.compiler), escaped(cpu.date));
+}
+
+std::string missing_cpu_prices(std::string_view program, std::string_view option) {
+    return fmt::format(
+        "<p>For measured times write <code>{1}.json</code> with <code>bench/run.py --bench build/release/{0} --json "
+        "{1}.json</code>, and give <code>--{1} {1}.json</code> to <code>glint report</code>.</p>\n",
+        program, option);
+}
+
 std::string lobe_html(std::string_view lobe) {
     const std::string symbol = symbol_html(lobe);
     return fmt::format("{}{}", lobe, symbol.empty() ? "" : "<small>" + symbol + "</small>");
@@ -225,8 +226,8 @@ std::string number_text(const std::optional<double>& value, std::string_view for
 std::string prices_table(const CpuPrices& cpu, std::string_view type) {
     std::vector<std::string_view> names;
     for (const CpuPrice& price : cpu.prices) {
-        if (price.type == type && std::find(names.begin(), names.end(), price.lobe) == names.end())
-            names.push_back(price.lobe);
+        if (price.type == type && std::find(names.begin(), names.end(), price.name) == names.end())
+            names.push_back(price.name);
     }
     if (names.empty()) return "<p>None were measured.</p>\n";
     std::vector<std::vector<Cell>> rows;

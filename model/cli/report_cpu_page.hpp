@@ -11,6 +11,12 @@
 
 namespace glint::cli {
 
+/// What measured them, on which processor.
+std::string measured_by(const CpuPrices& cpu);
+
+/// Instead of a table: how `program` of bench/ writes the file for the option `option` of `glint report`.
+std::string missing_cpu_prices(std::string_view program = "glint-bench", std::string_view option = "cpu");
+
 /// A lobe's name, with the paper's symbol below it where it has one: f_kv as f with an index.
 std::string lobe_html(std::string_view lobe);
 

@@ -111,7 +111,7 @@ public:
         out += cost_section(data_.cost, data_.pictures);
         out += accuracy_section() + proofs_section() + runs_section() + plots_section();
         out += paper_sections(data_.plots.paper, data_.cpu, data_.pictures, data_.command);
-        out += paper2_section(data_.plots.paper2, data_.pictures, data_.command);
+        out += paper2_section(data_.plots.paper2, data_.models, data_.pictures, data_.command);
         out += speed_section(data_.cpu, data_.files);
         out += hard_cases_section() + commands_section();
         return out + "</body>\n</html>\n";

@@ -15,6 +15,7 @@ struct PageData {
     const std::vector<ResultFile>& files;
     const std::optional<ProofsFile>& proofs;
     const std::optional<CpuPrices>& cpu;
+    const std::optional<CpuPrices>& models;  ///< prices of lighting models
     const std::optional<CostReport>& cost;
     std::vector<MeasuredRun> measured;
     const PlotData& plots;

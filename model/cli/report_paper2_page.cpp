@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "report_html.hpp"
+#include "report_paper2_cpu_page.hpp"
 #include "report_paper2_plots.hpp"
 
 namespace glint::cli {
@@ -266,17 +267,19 @@ std::string figures(const Paper2Data& data, const Pictures& pictures, const std:
 
 }  // namespace
 
-std::string paper2_section(const Paper2Data& data, const Pictures& pictures, const std::string& command) {
+std::string paper2_section(const Paper2Data& data, const std::optional<CpuPrices>& prices, const Pictures& pictures,
+                           const std::string& command) {
     std::string out =
         "<h2 id=\"paper-2\">Paper 2</h2>\n<p>Khlebnikov, Yurov 2010: five lighting models as shaders, and a "
         "Cook-Torrance that is faster by a cubic for the distribution D of the microfacets and a constant for the "
         "reflectance F. Its times are of a graphics processor of its day and cannot be measured again; what they rest "
-        "on can be counted and computed, and is, in double.</p>\n";
+        "on can be counted and computed, and is, in double. What the models cost on a processor of today is measured "
+        "below.</p>\n";
     out += claims_table(data);
     out +=
         "<h3>Operations</h3>\n<p>Counted in the formulas as code, from unit vectors to the intensity in one channel; "
         "a call of exp, pow, acos or a root is one. What depends on the material alone is at hand.</p>\n";
-    out += operations_table(data) + figures(data, pictures, command);
+    out += operations_table(data) + models_on_processor(data, prices) + figures(data, pictures, command);
     out +=
         "<h3>How far the modified form is from the full one</h3>\n<p>Over viewers in the plane of incidence, as a "
         "part of the full form's greatest value; the cubic is that in N.H.</p>\n";

@@ -2,6 +2,7 @@
 // and in float in bench/. Legal: 0 <= c <= 1, n from least_n of the formula on.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <concepts>
@@ -32,6 +33,14 @@ T at_least_0(T x) {
     return x > T{0} ? x : T{0};
 }
 template <std::floating_point T>
+T lesser(T x, T y) {
+    return std::min(x, y);
+}
+template <std::floating_point T>
+T greater(T x, T y) {
+    return std::max(x, y);
+}
+template <std::floating_point T>
 T exponential(T x) {
     return std::exp(x);
 }
@@ -42,6 +51,18 @@ T arc_cosine(T x) {
 template <std::floating_point T>
 T power(T x, T y) {
     return std::pow(x, y);
+}
+template <std::floating_point T>
+T square_root(T x) {
+    return std::sqrt(x);
+}
+template <std::floating_point T>
+T sine(T x) {
+    return std::sin(x);
+}
+template <std::floating_point T>
+T tangent(T x) {
+    return std::tan(x);
 }
 
 /// A constant, rounded to the type.

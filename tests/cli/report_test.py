@@ -337,9 +337,11 @@ class Report(Case):
     def test_no_cpu_prices(self):
         self.results()
         self.good("report", "--results", "sweep.json", "-o", "page")
-        for name in ("costs", "speed"):
+        for name, program, option in (("costs", "glint-bench", "--cpu"), ("speed", "glint-bench", "--cpu"),
+                                      ("paper-2", "glint-bench-models", "--cpu-models")):
             text = self.section(name)[0]
-            self.true("bench/run.py" in text and "--cpu" in text, f"how to get the table: {text}")
+            self.true("bench/run.py" in text and f"release/{program} " in text and f"{option} " in text,
+                      f"how to get the table: {text}")
         self.true("None of the result files holds a run of simulated hardware." in self.section("speed")[0], "cosimulation")
         self.true("neither in latency nor in throughput" not in self.section("choosing")[0], "a verdict on no times")
 
@@ -363,6 +365,66 @@ class Report(Case):
         prices["format"] = "glint-cost-cpu-2"
         (self.folder / "cpu.json").write_text(json.dumps(prices))
         refused("format \"glint-cost-cpu-2\" is not legal")
+        self.equal([name for name in self.files() if name.startswith("page")], [], "a page was left behind")
+
+    def model_prices(self):
+        """cpu-models.json with numbers that are plain to follow: ns of the models in double, half of it in float."""
+        times = {"lambert": 1, "phong": 8, "blinn_phong": 7, "cook_torrance": 20, "ward": 12, "oren_nayar": 30,
+                 "oren_nayar_no_trigonometry": 2, "modified_angle": 25, "modified_half": 10}
+        points = [{"model": model, "type": kind, "form": "scalar", "formula": "f", "throughput_ns": scale * ns,
+                   "throughput_q1_ns": scale * ns, "throughput_q3_ns": scale * ns, "latency_ns": (3.2 if model == "modified_half" else 2) * scale * ns,
+                   "instructions": 10 * ns} for kind, scale in (("double", 1), ("float", 0.5)) for model, ns in times.items()]
+        prices = {"format": "glint-cost-cpu-models-1", "command": "bench/run.py --bench glint-bench-models", "points": points,
+                  "machine": {"cpu": "a <processor>", "compiler": "GNU 1", "flags": "-O2", "date": "2026-01-02"}}
+        (self.folder / "models.json").write_text(json.dumps(prices))
+        return prices
+
+    def test_model_prices(self):
+        """The claims of the second paper on a processor, whose verdicts are those of the numbers, and the models."""
+        self.results()
+        self.model_prices()
+        self.good("report", "--results", "sweep.json", "--cpu-models", "models.json", "-o", "page")
+        rows = self.cells("paper-2")
+        claims = {row["claim"]: row for row in rows if "claim" in row}
+        for claim, printed, verdict in (("77 % faster: throughput", "1.77 times", "more than printed"),
+                                        ("77 % faster: latency", "1.77 times", "less than printed"),
+                                        ("Fewer machine instructions", "113 to about 60, 1.88 times", "true")):
+            times = {"more than printed": "2.00", "less than printed": "1.25", "true": "2.00"}[verdict]
+            self.equal((claims[claim]["printed"], claims[claim]["measured"], claims[claim]["verdict"]),
+                       (printed, "Full / modified. Cubic of the angle: 0.80 in double, 0.80 in float. Cubic of N.H: "
+                                 f"{times} in double, {times} in float.",
+                        "Cubic of the angle: not true in double, not true in float. Cubic of N.H: "
+                        f"{verdict} in double, {verdict} in float."))
+        order = claims["Order of the five models: throughput, float"]
+        self.equal((order["measured"], order["verdict"]),
+                   ("Blinn-Phong < Phong < Ward < Cook-Torrance < Oren-Nayar", "Not the same: 9 of 10 pairs in the printed order."))
+        printed = [row["printed: instructions / full"] for row in rows if row.get("model") == "modified Cook-Torrance"
+                   and "throughput, ns" in row]
+        self.equal(printed, ["0.53", "0.53"])
+        ward = [row for row in rows if row.get("model") == "Ward" and "throughput, ns" in row]
+        self.equal([[row[label] for label in ("printed: instructions / full", "printed: time / full", "throughput, ns",
+                                              "/ Lambert", "/ full", "latency, ns", "instructions")] for row in ward],
+                   [["0.55", "0.62", "12.00", "12.00", "0.60", "24.0", "120"], ["0.55", "0.62", "6.00", "12.00", "0.60", "12.0", "120"]])
+        self.true("a <processor>" in self.section("paper-2")[0], "what measured them")
+
+    def test_committed_model_prices(self):
+        """The page takes cost/cpu-models.json as it is."""
+        self.results()
+        self.good("report", "--results", "sweep.json", "--cpu-models", ROOT / "cost/cpu-models.json", "-o", "page")
+        measured = [row["model"] for row in self.cells("paper-2") if "latency / full" in row]
+        self.equal((len(measured), len(set(measured))), (18, 9))
+
+    def test_refused_model_prices(self):
+        def refused(pattern, prices):
+            (self.folder / "models.json").write_text(json.dumps(prices))
+            self.refused(pattern, "report", "--results", "sweep.json", "--cpu-models", "models.json", "-o", "page")
+
+        self.results()
+        refused('format "glint-cost-cpu-1" is not legal: glint-cost-cpu-models-1', self.prices())
+        prices = self.model_prices()
+        refused(r"points\[0\]\.throughput_ns 0 is not legal: a number above 0",
+                {**prices, "points": [{**prices["points"][0], "throughput_ns": 0}]})
+        refused("does not hold the model modified_half in float, scalar", {**prices, "points": prices["points"][:-1]})
         self.equal([name for name in self.files() if name.startswith("page")], [], "a page was left behind")
 
     def test_choosing(self):

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -42,21 +43,25 @@ struct Material {
 /// A model of the paper as a formula from unit vectors to the intensity in one channel, with the factor 1 for every
 /// intensity of a light and every coefficient of a material, and ambient light 0.
 struct CountedModel {
-    std::string_view model;  ///< as in table(), or a variant of it
+    std::string_view name;   ///< an identifier: "phong"
+    std::string_view model;  ///< as in table(), or a variant of it, or Lambert
     std::string_view form;   ///< for people: what is evaluated
     bool printed = false;    ///< whether table() has it
     Operations operations;
     double value = 0.0;
 };
-/// Phong, Blinn-Phong, Cook-Torrance, Ward and Oren-Nayar; then Oren-Nayar without trigonometry, the modified
-/// Cook-Torrance with its cubic in the angle, as in the paper, and with one in N.H. Throws Error unless the material is
-/// legal for Cook-Torrance.
+/// Lambert; Phong, Blinn-Phong, Cook-Torrance, Ward and Oren-Nayar; then Oren-Nayar without trigonometry, the modified
+/// Cook-Torrance with its cubic in the angle, as in the paper, and with one in N.H. The code is that which bench/ times
+/// (model/src/lighting.hpp). Throws Error unless the material is legal for Cook-Torrance.
 std::vector<CountedModel> counted_models(const Scene& scene, const Material& material);
 
 /// All operations, each as one: as instructions of a shader are.
 int total(const Operations& operations);
 
-/// Of the ten pairs of models in table(), how many the totals of the counted ones order as the instructions do.
+/// Of the ten pairs of models in table(), how many a cost, by the model as table() has it, orders as the instructions
+/// do.
+int pairs_in_order(const std::function<double(std::string_view model)>& cost);
+/// The cost being the totals of the counted ones, which have to be there.
 int pairs_in_order(std::span<const CountedModel> models);
 
 /// Fig. 1: m^2 D over the angle (0 to pi/2), and its cubics.
