@@ -50,14 +50,6 @@ bool named(const std::string& list, const std::string& value) {
 
 }  // namespace
 
-const FpgaPoint* EffectPrices::find(const std::string& effect, const std::string& profile,
-                                    const std::string& device) const {
-    const auto found = std::find_if(points.begin(), points.end(), [&](const FpgaPoint& point) {
-        return point.effect == effect && point.profile == profile && point.device == device;
-    });
-    return found == points.end() ? nullptr : &*found;
-}
-
 EffectPrices read_effect_prices(const std::string& path) {
     if (!std::filesystem::is_regular_file(path)) {
         throw Error(

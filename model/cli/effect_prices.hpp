@@ -1,7 +1,6 @@
 // The file of effects' prices on FPGAs, cost/effects.json, read back: for a table, and for the report.
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,9 +11,6 @@ namespace glint::cli {
 struct EffectPrices {
     ToolVersions tools;
     std::vector<FpgaPoint> points;  ///< in the order of the file
-
-    /// Null where there is none.
-    const FpgaPoint* find(const std::string& effect, const std::string& profile, const std::string& device) const;
 };
 
 /// Throws Error: not there or not legal, and what writes it.
