@@ -161,17 +161,23 @@ std::vector<std::string> split_profiles(const std::string& text) {
     return out;
 }
 
+std::vector<std::string> split_list(const std::string& text) {
+    std::vector<std::string> out;
+    for (std::size_t begin = 0; begin <= text.size();) {
+        const std::size_t end = std::min(text.find(',', begin), text.size());
+        out.push_back(text.substr(begin, end - begin));
+        begin = end + 1;
+    }
+    return out;
+}
+
 std::vector<LobeChoice> split_lobes(const std::string& text) {
     std::vector<LobeChoice> out;
     if (text == "all") {
         for (const Lobe& lobe : lobes()) out.push_back({&lobe, {}});
         return out;
     }
-    for (std::size_t begin = 0; begin <= text.size();) {
-        const std::size_t end = std::min(text.find(',', begin), text.size());
-        out.push_back(parse_lobe(text.substr(begin, end - begin)));
-        begin = end + 1;
-    }
+    for (const std::string& name : split_list(text)) out.push_back(parse_lobe(name));
     return out;
 }
 

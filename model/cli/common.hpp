@@ -60,6 +60,9 @@ Progress progress_bar(std::string label);
 /// Columns aligned; the first row is the heading, numbers to the right.
 std::string table(const std::vector<std::vector<std::string>>& rows);
 
+/// "a,b" -> a; b. There is always one: an empty text is an empty one.
+std::vector<std::string> split_list(const std::string& text);
+
 /// "bps,schlick", or "all": every lobe of the registry. Throws Error.
 std::vector<LobeChoice> split_lobes(const std::string& text);
 

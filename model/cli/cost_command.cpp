@@ -4,6 +4,7 @@
 #include "cost_accuracy.hpp"
 #include "cost_grid.hpp"
 #include "cost_table.hpp"
+#include "effect_prices.hpp"
 #include "fpga_cost.hpp"
 #include "glint/error.hpp"
 
@@ -13,12 +14,12 @@ namespace {
 struct Options {
     bool fpga = false, accuracy = false, grid = false;
     /// Where they are empty, what they do not name is each part's own default.
-    std::string lobe, profile, device, json;
+    std::string lobe, effect, mask, profile, device, json;
     unsigned jobs = 1, threads = 0;
     CostTableOptions table;
     FpgaOptions on_fpga;
     GridOptions word_lengths;
-    std::vector<CLI::Option*> of_table, of_fpga, of_grid;
+    std::vector<CLI::Option*> of_table, of_fpga, of_grid;  ///< of_table: the last is --data
 };
 
 /// Options of another part are not passed over in silence.
@@ -39,9 +40,14 @@ int run_cost(Options options, const std::string& command) {
     refuse(options.of_fpga, options.fpga, "with --fpga");
     refuse(options.of_grid, options.grid, "with --grid");
     refuse(options.of_table, !options.fpga && !options.accuracy && !options.grid, "of the table");
+    if ((options.accuracy || options.grid) && !(options.effect + options.mask).empty()) {
+        throw Error("--effect and --mask are not legal here: they are of --fpga and of the table");
+    }
     if (options.fpga) {
         FpgaOptions& fpga = options.on_fpga;
         set(fpga.lobe, options.lobe);
+        fpga.effect = options.effect;
+        fpga.mask = options.mask;
         set(fpga.profile, options.profile);
         set(fpga.device, options.device);
         fpga.json = options.json;
@@ -64,6 +70,12 @@ int run_cost(Options options, const std::string& command) {
         grid.threads = options.threads;
         return run_cost_grid(grid);
     }
+    if (!options.effect.empty()) {
+        refuse({options.of_table.begin(), options.of_table.end() - 1}, false, "of the table of lobes");
+        return run_effect_table({options.table.data, options.effect, options.mask, options.lobe, options.profile,
+                                 options.device, options.json});
+    }
+    if (!options.mask.empty()) throw Error("--mask is not legal without --effect: it is of the effect shade");
     CostTableOptions& table = options.table;
     set(table.device, options.device);
     table.lobe = options.lobe;
@@ -81,6 +93,8 @@ void add_cost(CLI::App& app, Chosen& chosen) {
     command->add_flag("--accuracy", o->accuracy, "Measure errors over all inputs instead");
     command->add_flag("--grid", o->grid, "Find the shortest word lengths that will do instead");
     command->add_option("--lobe", o->lobe, "Lobes, or all; with --fpga also table: a rival, c^n in block RAM");
+    command->add_option("--effect", o->effect, "Effects instead of lobes, or all (made of --lobe; default bps)");
+    command->add_option("--mask", o->mask, "Of the effect shade: values of MASK; default: a list (docs/cost.md)");
     command->add_option("--profile", o->profile, "Profiles: p8, p12, p16 or the lobe's F,..,O");
     command->add_option("--device", o->device, "hx8k (default), up5k, ecp5-25k, xc7; table: also all, and a CPU");
     command->add_option("--json", o->json, "Write the table as JSON; merge what is measured into this file");
@@ -90,10 +104,10 @@ void add_cost(CLI::App& app, Chosen& chosen) {
         command->add_option("--cosine", table.cosine, "Their cosine: rounded or exact")->capture_default_str(),
         command->add_option("--sort", table.sort, "Metric: error, luts, latency, ns, ...")->capture_default_str(),
         command->add_option("--pareto", table.pareto, "What decides who is dominated")->capture_default_str(),
-        command->add_option("--data", table.data, "Folder of accuracy.json, fpga.json, cpu.json")
-            ->capture_default_str(),
         command->add_option("--csv", table.csv, "Write the table as CSV"),
         command->add_option("--plots", table.plots, "Write its plots to this folder"),
+        command->add_option("--data", table.data, "Folder of accuracy.json, fpga.json, effects.json, cpu.json")
+            ->capture_default_str(),
     };
     FpgaOptions& on_fpga = o->on_fpga;
     o->of_fpga = {

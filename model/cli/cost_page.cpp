@@ -1,6 +1,7 @@
 #include "cost_page.hpp"
 
 #include <algorithm>
+#include <filesystem>
 
 #include <fmt/format.h>
 
@@ -56,6 +57,8 @@ CostReport read_cost_report(const std::string& folder) {
     CostReport out;
     out.folder = folder;
     out.data = read_cost_data(folder);
+    const std::filesystem::path effects = std::filesystem::path(folder) / "effects.json";
+    if (std::filesystem::is_regular_file(effects)) out.effects = read_effect_prices(effects.string());
     const std::vector<std::string> known = priced_devices(out.data);
     out.device = std::find(known.begin(), known.end(), plotted_device) != known.end() ? std::string(plotted_device)
                                                                                       : known.front();

@@ -6,6 +6,7 @@
 
 #include "cost_data.hpp"
 #include "cost_plots.hpp"
+#include "effect_prices.hpp"
 #include "report_html.hpp"
 
 namespace glint::cli {
@@ -14,6 +15,7 @@ namespace glint::cli {
 struct CostReport {
     std::string folder;
     CostData data;
+    std::optional<EffectPrices> effects;             ///< where the folder has effects.json
     Scope scope{{8, 1000, 1}, Cosine::rounded, {}};  ///< the exponents that the papers speak of
     std::string device;
     CostPlotData plots;

@@ -10,7 +10,9 @@
 namespace glint::cli {
 
 struct FpgaOptions {
-    std::string lobe = "bps";
+    std::string lobe = "bps";  ///< a list; with `effect` the one that effects are made of
+    std::string effect;        ///< a list, or all: effects instead of lobes
+    std::string mask;          ///< a list: values of the parameter MASK of the effect shade; empty: the default ones
     std::string profile = "p12";
     std::string architecture;  ///< a list, or all; empty: the default one of each lobe
     std::string device = "hx8k";

@@ -11,7 +11,8 @@ namespace glint::cli {
 
 /// What a design takes of a device.
 struct Resources {
-    int luts = 0;       ///< look-up tables: of 4 inputs, on xc7 of 6. On ECP5 a carry cell is two of them: they count
+    /// Look-up tables: of 4 inputs, on xc7 of 6. Those that are memory count, and the two of a carry cell of ECP5.
+    int luts = 0;
     int registers = 0;  ///< flip-flops
     int carries = 0;    ///< SB_CARRY (1 bit), CCU2C (2 bits), CARRY4 (4 bits)
     int dsps = 0;       ///< SB_MAC16, MULT18X18D, DSP48E1

@@ -116,6 +116,16 @@ std::vector<std::string> verilog(const std::vector<Source>& sources) {
     return out;
 }
 
+/// " n_i 7, cos_i -3"
+std::string to_text(const Exchange& exchange, const Unit& unit) {
+    std::string out;
+    const std::vector<Port> ports = data_ports(unit);
+    for (std::size_t p = 0; p < ports.size(); ++p) {
+        out += fmt::format("{} {} {}", out.empty() ? "" : ",", ports[p].name, exchange.in[p]);
+    }
+    return out;
+}
+
 }  // namespace
 
 std::vector<Source> with_dependencies(const fs::path& rtl, const std::vector<Source>& unit) {
@@ -124,13 +134,20 @@ std::vector<Source> with_dependencies(const fs::path& rtl, const std::vector<Sou
     static const std::regex definition("(?:^|\n)\\s*module\\s+(\\w+)");
     std::map<std::string, std::string> found;  // by file name
     std::set<std::string> defined;
-    std::vector<std::string> texts{unit.back().text};
-    while (!texts.empty()) {
-        const std::string text = std::regex_replace(texts.back(), comment, "");
-        texts.pop_back();
-        for (auto i = std::sregex_iterator(text.begin(), text.end(), definition); i != std::sregex_iterator(); ++i) {
+    std::vector<std::string> texts;
+    const auto take = [&](const std::string& text) {
+        texts.push_back(std::regex_replace(text, comment, ""));
+        const std::string& last = texts.back();
+        for (auto i = std::sregex_iterator(last.begin(), last.end(), definition); i != std::sregex_iterator(); ++i) {
             defined.insert((*i)[1]);
         }
+    };
+    for (const Source& source : unit) {
+        if (source.name.ends_with(".v")) take(source.text);
+    }
+    while (!texts.empty()) {
+        const std::string text = std::move(texts.back());
+        texts.pop_back();
         for (auto i = std::sregex_iterator(text.begin(), text.end(), instance); i != std::sregex_iterator(); ++i) {
             const std::string module = (*i)[1];
             const std::string name = module + ".v";
@@ -140,7 +157,7 @@ std::vector<Source> with_dependencies(const fs::path& rtl, const std::vector<Sou
                                         rtl.string(), name));
             }
             found[name] = read_file(rtl / name);
-            texts.push_back(found[name]);
+            take(found[name]);
         }
     }
     std::vector<Source> out;
@@ -280,12 +297,11 @@ Routing Flow::Netlist::run_router(int seed) {
     return out;
 }
 
-Clocks Flow::count_clocks(const std::vector<Source>& sources, const Unit& unit, const Profile& profile,
-                          const std::vector<Stimulus>& burst, const std::vector<PortResult>& expected) {
+Clocks Flow::count_clocks(const std::vector<Source>& sources, const Unit& unit, const std::vector<Exchange>& burst) {
     std::vector<Source> all = sources;
-    all.push_back({"glint_clocks.v", clocks_bench(unit, profile, burst)});
+    all.push_back({"glint_clocks.v", clocks_bench(unit, burst)});
     std::string wanted;
-    for (const PortResult& result : expected) wanted += fmt::format("{} {}\n", result.y, result.clamped ? 1 : 0);
+    for (const Exchange& exchange : burst) wanted += fmt::format("{}\n", fmt::join(exchange.out, " "));
     const std::string key = "clocks " + version("iverilog") + wanted + joined(all);
     const Json found = cached(key, [&] {
         const TemporaryFolder folder;
@@ -305,20 +321,21 @@ Clocks Flow::count_clocks(const std::vector<Source>& sources, const Unit& unit, 
         for (std::string word; lines >> word;) {
             if (word == "latency") lines >> out.latency;
             if (word != "result") continue;
-            int clock = 0, clamped = 0;
-            std::uint32_t y = 0;
-            lines >> clock >> y >> clamped;
-            if (results == expected.size()) break;
-            if (PortResult{y, clamped != 0} != expected[results]) {
-                throw ToolFailure(fmt::format("{} has a wrong result: n {}, cos code {}", unit.module, burst[results].n,
-                                              burst[results].cos_code));
+            if (results == burst.size()) break;
+            const Exchange& exchange = burst[results];
+            int clock = 0;
+            std::vector<std::int64_t> values(exchange.out.size());
+            lines >> clock;
+            for (std::int64_t& value : values) lines >> value;
+            if (!lines || values != exchange.out) {
+                throw ToolFailure(fmt::format("{} has a wrong result:{}", unit.module, to_text(exchange, unit)));
             }
             if (results++ > 0) out.interval = std::max(out.interval, clock - last);
             last = clock;
         }
-        if (results != expected.size() || out.latency < 1 || out.interval < 1) {
+        if (results != burst.size() || out.latency < 1 || out.interval < 1) {
             throw ToolFailure(
-                fmt::format("{} gave {} of {} results: {}", unit.module, results, expected.size(), last_line(said)));
+                fmt::format("{} gave {} of {} results: {}", unit.module, results, burst.size(), last_line(said)));
         }
         return Json{{"latency", out.latency}, {"interval", out.interval}};
     });

@@ -15,7 +15,6 @@
 
 #include "fpga_device.hpp"
 #include "fpga_harness.hpp"
-#include "glint/golden.hpp"
 #include "process.hpp"
 
 namespace glint::cli {
@@ -32,8 +31,8 @@ struct Source {
     std::string text;
 };
 
-/// The files of the folder `rtl` that the last of `unit` instantiates, directly or through others, by name; then `unit`
-/// itself. Throws Error: a module of the project has no file there.
+/// The files of the folder `rtl` that those of `unit` instantiate, directly or through others, by name; then `unit`
+/// itself. Throws Error: a module of the project is neither there nor in `unit`.
 std::vector<Source> with_dependencies(const std::filesystem::path& rtl, const std::vector<Source>& unit);
 
 /// 64 bits (FNV-1a) in hexadecimal.
@@ -91,10 +90,9 @@ public:
         std::map<std::string, int> cells_;
     };
 
-    /// Simulates the bench of fpga_harness.hpp with the sources of the unit; `expected` is what comes for each
-    /// stimulus. Throws ToolFailure; so it does for a wrong result.
-    Clocks count_clocks(const std::vector<Source>& sources, const Unit& unit, const Profile& profile,
-                        const std::vector<Stimulus>& burst, const std::vector<PortResult>& expected);
+    /// Simulates the bench of fpga_harness.hpp with the sources of the unit. Throws ToolFailure; so it does for a
+    /// result that is not that of its exchange.
+    Clocks count_clocks(const std::vector<Source>& sources, const Unit& unit, const std::vector<Exchange>& burst);
 
     /// The result for a key, found now or before.
     nlohmann::ordered_json cached(const std::string& key, const std::function<nlohmann::ordered_json()>& find);

@@ -62,14 +62,34 @@ endmodule
                        in_w - 1, out_w - 1, middle);
 }
 
+std::vector<Port> without(std::vector<Port> ports, std::initializer_list<std::string_view> names) {
+    std::erase_if(ports,
+                  [&](const Port& port) { return std::find(names.begin(), names.end(), port.name) != names.end(); });
+    return ports;
+}
+
 }  // namespace
 
-Unit lobe_unit(std::string module, const Profile& profile, int tag_w) {
-    return {std::move(module),
-            fmt::format(".TAG_W({})", tag_w),
-            {{"rst_ni"}, {"valid_i"}, {"ready_i"}, {"n_i", 10}, {"cos_i", profile.F + 2}, {"tag_i", tag_w}},
-            {{"ready_o"}, {"valid_o"}, {"y_o", profile.O + 1}, {"tag_o", tag_w}, {"clamped_o"}}};
+Unit stream_unit(std::string module, const std::vector<Port>& inputs, const std::vector<Port>& results, int tag_w) {
+    Unit out{std::move(module), fmt::format(".TAG_W({})", tag_w), {{"rst_ni"}, {"valid_i"}, {"ready_i"}}, {}};
+    out.inputs.insert(out.inputs.end(), inputs.begin(), inputs.end());
+    out.inputs.push_back({"tag_i", tag_w});
+    out.outputs = {{"ready_o"}, {"valid_o"}};
+    out.outputs.insert(out.outputs.end(), results.begin(), results.end());
+    out.outputs.push_back({"tag_o", tag_w});
+    out.outputs.push_back({"clamped_o"});
+    return out;
 }
+
+Unit lobe_unit(std::string module, const Profile& profile, int tag_w) {
+    return stream_unit(std::move(module), {{"n_i", 10}, {"cos_i", profile.F + 2}}, {{"y_o", profile.O + 1}}, tag_w);
+}
+
+std::vector<Port> data_ports(const Unit& unit) {
+    return without(unit.inputs, {"rst_ni", "valid_i", "ready_i", "tag_i"});
+}
+
+std::vector<Port> result_ports(const Unit& unit) { return without(unit.outputs, {"ready_o", "valid_o", "tag_o"}); }
 
 std::string harness(const Unit& unit) { return around(unit, instance(unit)); }
 
@@ -77,10 +97,22 @@ std::string harness_alone(const Unit& unit) {
     return around(unit, fmt::format("    assign result = harness_in_q[{}:0];\n", width(unit.outputs) - 1));
 }
 
-std::string clocks_bench(const Unit& unit, const Profile& profile, std::span<const Stimulus> burst) {
-    std::string stimuli;
-    for (std::size_t i = 0; i < burst.size(); ++i) {
-        stimuli += fmt::format("        n[{0}] = {1}; cos[{0}] = {2};\n", i, burst[i].n, burst[i].cos_code);
+std::string clocks_bench(const Unit& unit, std::span<const Exchange> burst) {
+    std::string memories, stimuli, connections, results, format, values;
+    const std::vector<Port> data = data_ports(unit);
+    for (std::size_t p = 0; p < data.size(); ++p) {
+        const Port& port = data[p];
+        memories += fmt::format("    reg [{}:0] {} [0:COUNT-1];\n", port.width - 1, port.name);
+        connections += fmt::format("        .{0}({0}[last ? 0 : sent]),\n", port.name);
+        for (std::size_t i = 0; i < burst.size(); ++i) {
+            stimuli += fmt::format("        {}[{}] = {};\n", port.name, i, burst[i].in[p]);
+        }
+    }
+    for (const Port& port : result_ports(unit)) {
+        results += fmt::format("    wire [{}:0] {};\n", port.width - 1, port.name);
+        connections += fmt::format("        .{0}({0}),\n", port.name);
+        format += " %0d";
+        values += ", " + port.name;
     }
     // Inputs change after the edge, outputs are read at it: as registers do.
     return fmt::format(R"(`default_nettype none
@@ -88,9 +120,7 @@ std::string clocks_bench(const Unit& unit, const Profile& profile, std::span<con
 
 module glint_clocks;
     localparam COUNT = {0};
-    reg  [9:0] n   [0:COUNT-1];
-    reg [{1}:0] cos [0:COUNT-1];
-
+{1}
     reg clk = 0, rst_n = 0;
     always #1 clk = ~clk;
 
@@ -98,25 +128,20 @@ module glint_clocks;
     reg alone = 1;
     wire last = sent == (alone ? 1 : COUNT);
 
-    wire ready, valid, clamped;
-    wire [{2}:0] y;
-    {3} #({4}) unit (
+    wire ready, valid;
+{2}    {3} #({4}) unit (
         .clk_i(clk),
         .rst_ni(rst_n),
         .valid_i(rst_n & ~last),
         .ready_o(ready),
-        .n_i(n[last ? 0 : sent]),
-        .cos_i(cos[last ? 0 : sent]),
-        .tag_i(1'b0),
+{5}        .tag_i(1'b0),
         .valid_o(valid),
         .ready_i(1'b1),
-        .y_o(y),
-        .tag_o(),
-        .clamped_o(clamped)
+        .tag_o()
     );
 
     initial begin
-{5}        repeat (4) @(posedge clk);
+{6}        repeat (4) @(posedge clk);
         rst_n <= 1;
     end
 
@@ -132,7 +157,7 @@ module glint_clocks;
             alone <= 0;
             sent  <= 0;
         end else if (valid) begin
-            $display("result %0d %0d %0d", clocks, y, clamped);
+            $display("result %0d{7}", clocks{8});
             received <= received + 1;
             if (received == COUNT - 1) $finish;
         end
@@ -145,7 +170,8 @@ endmodule
 
 `default_nettype wire
 )",
-                       burst.size(), profile.F + 1, profile.O, unit.module, unit.parameters, stimuli);
+                       burst.size(), memories, results, unit.module, unit.parameters, connections, stimuli, format,
+                       values);
 }
 
 }  // namespace glint::cli

@@ -1,6 +1,7 @@
 // The Verilog around a unit that is priced: the harness that place and route sees, and the bench that counts clocks.
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <string>
 #include <vector>
@@ -22,7 +23,10 @@ struct Unit {
     std::vector<Port> outputs;
 };
 
-/// A lobe's unit: the ports of docs/rtl.md.
+/// A unit with the handshake of docs/rtl.md around these ports of data. Its last result is `clamped_o`.
+Unit stream_unit(std::string module, const std::vector<Port>& inputs, const std::vector<Port>& results, int tag_w);
+
+/// A lobe's unit.
 Unit lobe_unit(std::string module, const Profile& profile, int tag_w);
 
 /// The module `glint_harness`, four pins wide: every input of the unit is a register of a shift chain, every output
@@ -33,13 +37,19 @@ std::string harness(const Unit& unit);
 /// The same harness without the unit: wires in its place.
 std::string harness_alone(const Unit& unit);
 
-struct Stimulus {
-    int n = 0;
-    std::int64_t cos_code = 0;
+/// An input of a stream_unit and what it answers, by the contract.
+struct Exchange {
+    std::vector<std::int64_t> in;   ///< a code per port of data
+    std::vector<std::int64_t> out;  ///< a value, not negative, per port of results, then `clamped`
 };
 
-/// The module `glint_clocks`, a bench for a lobe's unit. It sends the first input alone, then all without a pause, and
-/// prints "latency L" and for each result of the burst "result CLOCK y clamped"; "no result" where one does not come.
-std::string clocks_bench(const Unit& unit, const Profile& profile, std::span<const Stimulus> burst);
+/// The ports of a stream_unit but for those of the handshake: those of `Exchange::in` and `Exchange::out`.
+std::vector<Port> data_ports(const Unit& unit);
+std::vector<Port> result_ports(const Unit& unit);
+
+/// The module `glint_clocks`, a bench for a stream_unit. It sends the first input alone, then all without a pause, and
+/// prints "latency L" and for each result of the burst "result CLOCK" and the values of the exchange; "no result" where
+/// one does not come.
+std::string clocks_bench(const Unit& unit, std::span<const Exchange> burst);
 
 }  // namespace glint::cli

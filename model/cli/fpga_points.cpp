@@ -15,15 +15,16 @@ namespace glint::cli {
 namespace {
 
 using Json = nlohmann::ordered_json;
-constexpr std::string_view format = "glint-cost-fpga-1";
 
 double rounded(double x) { return std::round(100.0 * x) / 100.0; }
 
 Json to_json(const FpgaPoint& point) {
     Json out;
-    out["lobe"] = point.lobe;
+    if (!point.effect.empty()) out["effect"] = point.effect;
+    if (point.mask) out["mask"] = *point.mask;
+    if (!point.lobe.empty()) out["lobe"] = point.lobe;
     out["profile"] = point.profile;
-    out["architecture"] = point.architecture;
+    if (point.effect.empty()) out["architecture"] = point.architecture;
     out["device"] = point.device;
     out["dsp"] = point.dsp;
     out["luts"] = point.resources.luts;
@@ -49,27 +50,45 @@ Json to_json(const FpgaPoint& point) {
     return out;
 }
 
-[[noreturn]] void refuse(const std::filesystem::path& path) {
-    throw Error(fmt::format("file '{}' is not of the format {}: name another, or remove it", path.string(), format));
+[[noreturn]] void refuse(const std::filesystem::path& path, PriceFile file) {
+    throw Error(
+        fmt::format("file '{}' is not of the format {}: name another, or remove it", path.string(), format_of(file)));
 }
 
-/// What tells two points apart, in the order of the file. Throws the exceptions of Json.
-std::vector<std::string> identity(const Json& point) {
-    return {point.at("lobe").get<std::string>(), point.at("profile").get<std::string>(),
-            point.at("architecture").get<std::string>(), point.at("device").get<std::string>(),
-            point.at("dsp").get<bool>() ? "dsp" : ""};
-}
+/// What tells two points apart, in the order of the file.
+using Identity = std::tuple<std::string, std::string, int, std::string, std::string, bool>;
 
-Json read_points(const std::filesystem::path& path) {
-    if (!std::filesystem::is_regular_file(path)) {
-        return Json{{"format", format}, {"tools", Json::object()}, {"points", Json::array()}};
+/// Throws the exceptions of Json.
+Identity identity(const Json& point, PriceFile file) {
+    const auto text = [&](const char* key) { return point.at(key).get<std::string>(); };
+    const bool dsp = point.at("dsp").get<bool>();
+    if (file == PriceFile::lobes) {
+        return {text("lobe"), text("profile"), 0, text("architecture"), text("device"), dsp};
     }
-    const Json file = Json::parse(read_file(path), nullptr, false);
-    if (!file.is_object() || file.value("format", Json()) != format) refuse(path);
-    return file;
+    return {text("effect"), point.value("lobe", ""), point.value("mask", 0), text("profile"), text("device"), dsp};
+}
+
+Json read_points(const std::filesystem::path& path, PriceFile file) {
+    if (!std::filesystem::is_regular_file(path)) {
+        return Json{{"format", format_of(file)}, {"tools", Json::object()}, {"points", Json::array()}};
+    }
+    const Json out = Json::parse(read_file(path), nullptr, false);
+    if (!out.is_object() || out.value("format", Json()) != format_of(file)) refuse(path, file);
+    return out;
+}
+
+/// Columns of a table that names the units.
+std::vector<std::string> names_of(const FpgaPoint& point, PriceFile file) {
+    if (file == PriceFile::lobes) return {point.lobe, point.profile, point.architecture};
+    return {point.effect, point.mask ? std::to_string(*point.mask) : "-", point.lobe.empty() ? "-" : point.lobe,
+            point.profile};
 }
 
 }  // namespace
+
+std::string_view format_of(PriceFile file) {
+    return file == PriceFile::lobes ? "glint-cost-fpga-1" : "glint-cost-effects-1";
+}
 
 double FpgaPoint::clock_mhz() const {
     if (clocks_mhz.empty()) return 0.0;
@@ -83,28 +102,29 @@ double FpgaPoint::latency_ns() const { return clocks_mhz.empty() ? 0.0 : 1e3 * l
 
 double FpgaPoint::results_per_second() const { return 1e6 * clock_mhz() / interval; }
 
-std::string merged(const std::filesystem::path& path, const ToolVersions& tools, const std::vector<FpgaPoint>& points) {
-    Json file = read_points(path);
-    std::map<std::vector<std::string>, Json> all;
+std::string merged(const std::filesystem::path& path, PriceFile file, const ToolVersions& tools,
+                   const std::vector<FpgaPoint>& points) {
+    Json prices = read_points(path, file);
+    std::map<Identity, Json> all;
     try {
         for (const auto& [tool, version] : tools) {
-            const std::string there = file.at("tools").value(tool, version);
+            const std::string there = prices.at("tools").value(tool, version);
             if (there != version) {
                 throw Error(fmt::format("file '{}' has prices of {} {}, and here is {}: name another, or remove it",
                                         path.string(), tool, there, version));
             }
-            file["tools"][tool] = version;
+            prices["tools"][tool] = version;
         }
-        for (const Json& point : file.at("points")) all[identity(point)] = point;
+        for (const Json& point : prices.at("points")) all[identity(point, file)] = point;
     } catch (const Json::exception&) {
-        refuse(path);
+        refuse(path, file);
     }
     for (const FpgaPoint& point : points) {
         const Json json = to_json(point);
-        all[identity(json)] = json;
+        all[identity(json, file)] = json;
     }
     std::string out =
-        fmt::format("{{\n\"format\": \"{}\",\n\"tools\": {},\n\"points\": [", format, file["tools"].dump());
+        fmt::format("{{\n\"format\": \"{}\",\n\"tools\": {},\n\"points\": [", format_of(file), prices["tools"].dump());
     std::string_view separator = "\n";
     for (const auto& [key, point] : all) {
         out += fmt::format("{}{}", separator, point.dump());
@@ -113,23 +133,34 @@ std::string merged(const std::filesystem::path& path, const ToolVersions& tools,
     return out + "\n]\n}\n";
 }
 
-std::string points_table(const std::vector<FpgaPoint>& points) {
-    std::vector<std::vector<std::string>> rows{{"lobe", "profile", "architecture", "device", "dsp", "LUTs", "registers",
-                                                "carries", "DSPs", "BRAMs", "MHz", "latency", "interval", "ns",
-                                                "M results/s"}};
+std::string points_table(const std::vector<FpgaPoint>& points, PriceFile file) {
+    std::vector<std::vector<std::string>> rows;
+    if (file == PriceFile::lobes) {
+        rows.push_back({"lobe", "profile", "architecture"});
+    } else {
+        rows.push_back({"effect", "mask", "lobe", "profile"});
+    }
+    for (const char* heading : {"device", "dsp", "LUTs", "registers", "carries", "DSPs", "BRAMs", "MHz", "latency",
+                                "interval", "ns", "M results/s"}) {
+        rows[0].emplace_back(heading);
+    }
     std::string notes;
     for (const FpgaPoint& point : points) {
         const bool clock = !point.clocks_mhz.empty();
         std::string mhz = clock ? fmt::format("{:.1f}", point.clock_mhz()) : point.routed ? "does not fit" : "-";
         if (point.harness_limits) mhz += "*";
-        rows.push_back({point.lobe, point.profile, point.architecture, point.device, point.dsp ? "on" : "off",
-                        std::to_string(point.resources.luts), std::to_string(point.resources.registers),
-                        std::to_string(point.resources.carries), std::to_string(point.resources.dsps),
-                        std::to_string(point.resources.brams), mhz, std::to_string(point.latency),
-                        std::to_string(point.interval), clock ? fmt::format("{:.1f}", point.latency_ns()) : "-",
-                        clock ? fmt::format("{:.1f}", 1e-6 * point.results_per_second()) : "-"});
-        const std::string what =
-            fmt::format("{} {} {} {}", point.lobe, point.profile, point.architecture, point.device);
+        std::vector<std::string> row = names_of(point, file);
+        std::string what = fmt::format("{} {}", fmt::join(row, " "), point.device);
+        for (std::string& cell : std::vector<std::string>{
+                 point.device, point.dsp ? "on" : "off", std::to_string(point.resources.luts),
+                 std::to_string(point.resources.registers), std::to_string(point.resources.carries),
+                 std::to_string(point.resources.dsps), std::to_string(point.resources.brams), mhz,
+                 std::to_string(point.latency), std::to_string(point.interval),
+                 clock ? fmt::format("{:.1f}", point.latency_ns()) : "-",
+                 clock ? fmt::format("{:.1f}", 1e-6 * point.results_per_second()) : "-"}) {
+            row.push_back(std::move(cell));
+        }
+        rows.push_back(std::move(row));
         if (point.routed && !point.fits) notes += fmt::format("{} does not fit: {}\n", what, point.why);
         for (const int seed : point.unrouted_seeds) {
             notes +=

@@ -3,7 +3,9 @@
 
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <nlohmann/json.hpp>
@@ -13,9 +15,11 @@
 namespace glint::cli {
 
 struct FpgaPoint {
-    std::string lobe;  ///< with its options
+    std::string effect;       ///< empty for a lobe's unit
+    std::optional<int> mask;  ///< of the effect shade: what is built
+    std::string lobe;         ///< with its options; of an effect the one that it is made of, or empty
     std::string profile;
-    std::string architecture;
+    std::string architecture;  ///< of a lobe's unit
     std::string device;
     bool dsp = false;     ///< products may use DSPs
     Resources resources;  ///< of the unit: those of the harness are taken off
@@ -39,12 +43,19 @@ struct FpgaPoint {
 /// By tool: the version.
 using ToolVersions = std::map<std::string, std::string>;
 
-/// The text of the file `path` (format "glint-cost-fpga-1") with these points in it: those of the same unit and device
-/// are replaced, the others stay. A file that is not there is empty. Throws Error: it is no such file, or its prices
-/// come from another version of a tool.
-std::string merged(const std::filesystem::path& path, const ToolVersions& tools, const std::vector<FpgaPoint>& points);
+/// What a file holds, or a table: points of lobes' units or of effects'.
+enum class PriceFile { lobes, effects };
+
+/// "glint-cost-fpga-1", "glint-cost-effects-1"
+std::string_view format_of(PriceFile file);
+
+/// The text of the file `path` with these points in it: those of the same unit and device are replaced, the others
+/// stay. A file that is not there is empty. Throws Error: it is no such file, or its prices come from another version
+/// of a tool.
+std::string merged(const std::filesystem::path& path, PriceFile file, const ToolVersions& tools,
+                   const std::vector<FpgaPoint>& points);
 
 /// One line a point.
-std::string points_table(const std::vector<FpgaPoint>& points);
+std::string points_table(const std::vector<FpgaPoint>& points, PriceFile file);
 
 }  // namespace glint::cli

@@ -62,6 +62,13 @@ double JsonNode::number(const char* key) const {
     return value(key).get<double>();
 }
 
+std::vector<double> JsonNode::numbers(const char* key) const {
+    const Json& list = value(key);
+    const auto good = [](const Json& item) { return item.is_number() && item.get<double>() >= 0.0; };
+    if (!list.is_array() || !std::all_of(list.begin(), list.end(), good)) fail(key, "a list of numbers, 0 or more");
+    return list.get<std::vector<double>>();
+}
+
 std::uint64_t JsonNode::count(const char* key, std::uint64_t low, std::uint64_t high) const {
     const bool whole = value(key).is_number_unsigned();
     if (!whole || value(key).get<std::uint64_t>() < low || value(key).get<std::uint64_t>() > high) {

@@ -29,6 +29,7 @@ public:
     std::vector<std::string> texts(const char* key) const;
     bool boolean(const char* key) const;
     double number(const char* key) const;  ///< at least 0
+    std::vector<double> numbers(const char* key) const;
     std::uint64_t count(const char* key, std::uint64_t low, std::uint64_t high = UINT64_MAX) const;
     int integer(const char* key, int low, int high) const;
     /// `size` whole numbers, 0 or more.

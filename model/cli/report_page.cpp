@@ -9,6 +9,7 @@
 #include "glint/lobes.hpp"
 #include "report_cpu_page.hpp"
 #include "report_html.hpp"
+#include "report_paper2_hardware.hpp"
 #include "report_paper2_page.hpp"
 #include "report_paper_page.hpp"
 
@@ -112,6 +113,7 @@ public:
         out += accuracy_section() + proofs_section() + runs_section() + plots_section();
         out += paper_sections(data_.plots.paper, data_.cpu, data_.pictures, data_.command);
         out += paper2_section(data_.plots.paper2, data_.models, data_.pictures, data_.command);
+        out += paper2_hardware_section(data_.cost);
         out += speed_section(data_.cpu, data_.files);
         out += hard_cases_section() + commands_section();
         return out + "</body>\n</html>\n";

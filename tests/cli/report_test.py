@@ -265,6 +265,41 @@ class Report(Case):
         for row in cases:
             self.true(0 < float(row["RMS"].split()[0]) < float(row["largest"].split()[0]), f"{row}")
 
+    def test_paper_2_hardware(self):
+        """Both forms of Cook-Torrance from cost/effects.json where they are there, else what writes them."""
+        def point(effect, luts, **more):
+            return {"effect": effect, "profile": "p12", "device": "hx8k", "dsp": False, "luts": luts, "registers": 10 * luts,
+                    "carries": 0, "dsps": 0, "brams": 2, "fits": True, "cells": luts, "clock_mhz_seeds": [50.0],
+                    "latency": 40, "interval": 1, "hash": "00", **more}
+
+        def rows():
+            return [row for row in self.cells("paper-2") if "form" in row]
+
+        self.results()
+        write_prices(self.folder)
+        report = ["report", "--results", "sweep.json", "--cost", "cost", "-o", "page"]
+        self.good(*report)
+        self.equal(rows(), [])
+        self.true("glint cost --fpga --effect cook_torrance," in self.section("paper-2")[0], "how to get the table")
+        points = [point("cook_torrance", 400), point("cook_torrance", 500, device="up5k"), point("lambert", 4),
+                  point("cook_torrance_modified", 300, latency=20, clock_mhz_seeds=[60.0]),
+                  point("cook_torrance", 800, device="ecp5-25k", fits=False, why="too many", clock_mhz_seeds=[]),
+                  point("cook_torrance_modified", 600, device="ecp5-25k")]
+        prices = {"format": "glint-cost-effects-1", "tools": {"yosys": "0.0"}, "points": points}
+        (self.folder / "cost/effects.json").write_text(json.dumps(prices))
+        self.good(*report)
+        self.equal([(row["form"], row["device"], row["LUTs"], row["latency, clocks"], row["latency, ns"], row["M results/s"])
+                    for row in rows()],
+                   [("full", "hx8k", "400", "40", "800", "50.0"), ("modified", "hx8k", "300", "20", "333", "60.0"),
+                    ("full", "ecp5-25k", "800", "40", "does not fit", "does not fit"),
+                    ("modified", "ecp5-25k", "600", "40", "800", "50.0")])
+        text = self.section("paper-2")[0].replace("\N{NO-BREAK SPACE}", " ")
+        self.true("At p12 on hx8k: 75 % of the LUTs of the full form, 75 % of its registers, 0 DSPs instead of 0, 20 clocks "
+                  "of latency instead of 40; 0.42 times the latency in ns, 1.20 times the results a second." in text, text)
+        prices["points"][0]["luts"] = "many"
+        (self.folder / "cost/effects.json").write_text(json.dumps(prices))
+        self.refused("price file 'cost/effects.json'.*luts", *report)
+
     def test_paper_2_figures(self):
         """Beckmann's distribution, Fresnel's reflectance and both highlights, against the formulas of the paper."""
         self.results()

@@ -51,6 +51,20 @@ class Refusals(Cost):
             ("folder 'nowhere' has no glint_bps.v", ["--fpga", "--rtl", "nowhere"]),
             ("'missing/x.json' cannot be written", ["--fpga", "--json", "missing/x.json"]),
             ("--jobs '-1' is not legal", ["--fpga", "--jobs", "-1"]),
+            ("effect 'shiny'", ["--fpga", "--effect", "lambert,shiny"]),
+            ("lobe 'bps,cayley'", ["--fpga", "--effect", "phong", "--lobe", "bps,cayley"]),
+            ("profile 'p13'", ["--fpga", "--effect", "lambert", "--profile", "p13"]),
+            ("--mask '256' is not legal: 0 to 255", ["--fpga", "--effect", "shade", "--mask", "1,256"]),
+            ("--mask 'all' is not legal: 0 to 255", ["--fpga", "--effect", "shade", "--mask", "all"]),
+            ("--mask '3,3' is not legal: each mask once", ["--fpga", "--effect", "shade", "--mask", "3,3"]),
+            ("--mask is not legal here: it is a parameter of the effect shade", ["--fpga", "--mask", "3"]),
+            ("--mask is not legal here: it is a parameter", ["--fpga", "--effect", "lambert", "--mask", "3"]),
+            ("--architecture is not legal with --effect",
+             ["--fpga", "--effect", "lambert", "--architecture", "pipelined"]),
+            ("--effect and --mask are not legal here", ["--accuracy", "--effect", "lambert"]),
+            ("'cost/effects.json' is not there: `glint cost --fpga --effect all", ["--effect", "all"]),
+            ("--mask is not legal without --effect", ["--mask", "3"]),
+            ("--sort is not legal here: it is of the table of lobes", ["--effect", "all", "--sort", "luts"]),
         ):
             self.refused(pattern, "cost", *arguments)
 
@@ -63,6 +77,62 @@ class Refusals(Cost):
             path.write_text(text)
             self.refused(pattern, "cost", "--fpga", *SMALL, *RTL, "--device", "xc7", "--json", "prices.json")
             self.equal(path.read_text(), text)
+        text = '{"format": "glint-cost-fpga-1", "tools": {}, "points": []}'
+        path.write_text(text)
+        self.refused("is not of the format glint-cost-effects-1", "cost", "--fpga", "--effect", "lambert", *RTL,
+                     "--device", "xc7", "--json", "prices.json")
+        self.equal(path.read_text(), text)
+
+
+class Effects(Cost):
+    """Prices of effects, and the table of them."""
+
+    def test_prices_and_table(self):
+        xc7 = ["--device", "xc7", *RTL, "--cache", "cache", "--json", "effects.json"]
+        self.cost("--effect", "lambert,blinn_phong", "--lobe", "quadratic", "--profile", "p8", *xc7)
+        printed = self.cost("--effect", "shade", "--lobe", "quadratic", "--profile", "p8", "--mask", "2,10", *xc7)
+        found = json.loads(self.read("effects.json"))
+        self.equal(found["format"], "glint-cost-effects-1")
+        highlight, diffuse, small, large = found["points"]
+        self.equal([(p["effect"], p.get("mask"), p.get("lobe"), p["profile"], p["interval"]) for p in found["points"]],
+                   [("blinn_phong", None, "quadratic", "p8", 1), ("lambert", None, None, "p8", 1),
+                    ("shade", 2, "quadratic", "p8", 1), ("shade", 10, "quadratic", "p8", 1)])
+        # The frame and lambert in the one, blinn_phong beside them in the other, which is the slower term.
+        self.true(small["registers"] > diffuse["registers"], f"{small}, {diffuse}")
+        self.true(large["registers"] - small["registers"] > highlight["registers"] // 2, f"{large}, {small}")
+        self.equal(large["latency"] - small["latency"], highlight["latency"] - diffuse["latency"])
+        self.true(large["dsps"] > small["dsps"] > 0, f"{large}, {small}")
+
+        table = self.good("cost", "--effect", "shade", "--data", ".", "--json", "some.json")
+        self.equal(table, printed)
+        self.equal(json.loads(self.read("some.json")), {**found, "points": [small, large]})
+        one = self.good("cost", "--effect", "all", "--mask", "10", "--data", ".").splitlines()
+        self.equal(one, [printed.splitlines()[0], printed.splitlines()[2]])
+        self.refused("'./effects.json' has no such point: effect ward", "cost", "--effect", "ward", "--data", ".")
+
+    def test_a_file_that_is_not_legal(self):
+        point = {"effect": "lambert", "profile": "p8", "device": "hx8k", "dsp": False, "luts": 1, "registers": 1,
+                 "carries": 1, "dsps": 0, "brams": 0, "fits": True, "cells": 2, "clock_mhz_seeds": [50.0], "latency": 2,
+                 "interval": 1, "hash": "00"}
+        for change, pattern in (
+            ({}, None),
+            ({"luts": -1}, "luts -1 is not legal"),
+            ({"clock_mhz_seeds": []}, "clock_mhz_seeds .* where the unit fits"),
+            ({"clock_mhz_seeds": [0]}, "clock_mhz_seeds .*: above 0"),
+            ({"clock_mhz_seeds": [50, "x"]}, "clock_mhz_seeds .*: a list of numbers"),
+            ({"fits": False, "clock_mhz_seeds": []}, "why is missing"),
+            ({"latency": 0}, "latency 0 is not legal"),
+        ):
+            file = {"format": "glint-cost-effects-1", "tools": {"yosys": "0.0"}, "points": [{**point, **change}]}
+            (self.folder / "effects.json").write_text(json.dumps(file))
+            if pattern is None:
+                self.matches(self.good("cost", "--effect", "all", "--data", "."), "lambert .* 50.0 ")
+            else:
+                self.refused(pattern, "cost", "--effect", "all", "--data", ".")
+        for text, pattern in (("{", "is not JSON"), ('{"format": "glint-cost-fpga-1"}', "glint-cost-effects-1"),
+                              ('{"format": "glint-cost-effects-1", "tools": {}, "points": []}', "holds no points")):
+            (self.folder / "effects.json").write_text(text)
+            self.refused(pattern, "cost", "--effect", "all", "--data", ".")
 
 
 class Grid(Cost):
@@ -142,34 +212,59 @@ class Failures(Cost):
 
 
 class Committed(Cost):
-    def test_prices_are_those_of_the_verilog(self):
-        committed = json.loads((ROOT / "cost" / "fpga.json").read_text())
-        self.equal(committed["format"], "glint-cost-fpga-1")
-        points = {(p["lobe"], p["profile"], p["architecture"], p["device"], p["dsp"]): p for p in committed["points"]}
-        self.true(len(points) == len(committed["points"]) > 0, "points, each once")
-        for price in points.values():
-            seeds = sorted(price["clock_mhz_seeds"])
-            if seeds:
-                middle = len(seeds) // 2
-                median = seeds[middle] if len(seeds) % 2 else (seeds[middle - 1] + seeds[middle]) / 2
-                self.near(price["clock_mhz"], median, 0.011)
-            # Every lobe has products; where DSPs may be used one holds at least one of them.
-            if price["dsp"] and price["lobe"] != "table":
-                self.true(price["dsps"] >= 1, f"no DSP: {price}")
+    def median(self, price):
+        seeds = sorted(price["clock_mhz_seeds"])
+        if seeds:
+            middle = len(seeds) // 2
+            median = seeds[middle] if len(seeds) % 2 else (seeds[middle - 1] + seeds[middle]) / 2
+            self.near(price["clock_mhz"], median, 0.011)
 
+    def again(self, committed, points, names, unit):
+        """A small unit's prices without and with place and route, as they are in the committed file."""
         for device, exact in (("xc7", []), ("hx8k", ["--seeds", "1"])):
-            self.cost(*SMALL, *RTL, "--device", device, "--json", f"{device}.json", *exact)
+            self.cost(*unit, *RTL, "--device", device, "--json", f"{device}.json", *exact)
             found = json.loads(self.read(f"{device}.json"))
             for tool, version in found["tools"].items():
                 if committed["tools"].get(tool) != version:
                     self.skipTest(f"the committed prices are of {tool} {committed['tools'].get(tool)}, not {version}")
             self.equal(len(found["points"]), 1)
             here = found["points"][0]
-            there = points[tuple(here[name] for name in ("lobe", "profile", "architecture", "device", "dsp"))]
+            there = points[tuple(here.get(name) for name in names)]
             for name in ("luts", "registers", "carries", "dsps", "brams", "latency", "interval"):
                 self.equal(here[name], there[name], f"{device}: {name}")
             if here["clock_mhz_seeds"]:
                 self.equal(here["clock_mhz_seeds"][0], there["clock_mhz_seeds"][0], f"{device}: clock of seed 1")
+
+    def read_committed(self, file, names):
+        committed = json.loads((ROOT / "cost" / f"{file}.json").read_text())
+        self.equal(committed["format"], f"glint-cost-{file}-1")
+        points = {tuple(p.get(name) for name in names): p for p in committed["points"]}
+        self.true(len(points) == len(committed["points"]) > 0, "points, each once")
+        for price in points.values():
+            self.median(price)
+        return committed, points
+
+    def test_prices_are_those_of_the_verilog(self):
+        names = ("lobe", "profile", "architecture", "device", "dsp")
+        committed, points = self.read_committed("fpga", names)
+        for price in points.values():
+            # Every lobe has products; where DSPs may be used one holds at least one of them.
+            if price["dsp"] and price["lobe"] != "table":
+                self.true(price["dsps"] >= 1, f"no DSP: {price}")
+        self.again(committed, points, names, SMALL)
+
+    def test_prices_of_effects_are_those_of_the_verilog(self):
+        names = ("effect", "mask", "lobe", "profile", "device", "dsp")
+        committed, points = self.read_committed("effects", names)
+        shade = [price for price in points.values() if price["effect"] == "shade"]
+        wider = [(a, b) for a in shade for b in shade if a["device"] == b["device"] and a["profile"] == b["profile"]
+                 and a["mask"] != b["mask"] and a["mask"] & b["mask"] == a["mask"]]
+        self.true(len(wider) > 0, "masks of which one holds the other")
+        for part, whole in wider:
+            self.true(part["registers"] < whole["registers"] and part["latency"] <= whole["latency"],
+                      f"{part} is no less than {whole}")
+        self.equal({price["interval"] for price in points.values()}, {1})
+        self.again(committed, points, names, ["--effect", "lambert"])
 
 
 def main():

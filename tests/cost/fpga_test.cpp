@@ -6,6 +6,8 @@
 #include "fpga_flow.hpp"
 #include "fpga_points.hpp"
 #include "fpga_table.hpp"
+#include "fpga_units.hpp"
+#include "glint/effect.hpp"
 #include "glint/error.hpp"
 #include "glint/lobes.hpp"
 
@@ -32,6 +34,15 @@ Unit delay(int width, int stages) {
             ".WIDTH(" + std::to_string(width) + "), .STAGES(" + std::to_string(stages) + ")",
             {{"enable_i"}, {"data_i", width}},
             {{"data_o", width}}};
+}
+
+std::vector<Exchange> exchanges(const GoldenModel& model, const std::vector<std::pair<int, std::int64_t>>& inputs) {
+    std::vector<Exchange> out;
+    for (const auto& [n, cosine] : inputs) {
+        const PortResult result = model.eval_port(n, cosine);
+        out.push_back({{n, cosine}, {result.y, result.clamped ? 1 : 0}});
+    }
+    return out;
 }
 
 FpgaPoint point(const std::string& lobe, int luts) {
@@ -106,15 +117,12 @@ TEST_CASE("latency and interval come from a simulation whose results are right")
     const Source wrapper{"glint_schlick_p8.v", read_file(rtl / "generated" / "glint_schlick_p8.v")};
     const std::vector<Source> sources = with_dependencies(rtl, {wrapper});
     const Unit unit = lobe_unit("glint_schlick_p8", profile, 1);
-    const std::vector<Stimulus> burst{{50, 64225}, {0, 5}, {7, -3}, {1023, profile.one()}};
-    std::vector<PortResult> expected;
-    for (const Stimulus& in : burst) expected.push_back(model->eval_port(in.n, in.cos_code));
-    const Clocks clocks = flow.count_clocks(sources, unit, profile, burst, expected);
+    std::vector<Exchange> burst = exchanges(*model, {{50, 64225}, {0, 5}, {7, -3}, {1023, profile.one()}});
+    const Clocks clocks = flow.count_clocks(sources, unit, burst);
     CHECK(clocks.latency > 3);
     CHECK(clocks.interval == 1);
-    expected[2].clamped = false;
-    CHECK_THROWS_WITH(flow.count_clocks(sources, unit, profile, burst, expected),
-                      "glint_schlick_p8 has a wrong result: n 7, cos code -3");
+    burst[2].out.back() = 0;
+    CHECK_THROWS_WITH(flow.count_clocks(sources, unit, burst), "glint_schlick_p8 has a wrong result: n_i 7, cos_i -3");
 }
 
 TEST_CASE("the files of a unit are those that it instantiates") {
@@ -153,21 +161,84 @@ TEST_CASE("the file of prices: points of the same unit and device are replaced, 
     const TemporaryFolder folder;
     const std::filesystem::path file = folder.path() / "fpga.json";
     const ToolVersions tools{{"yosys", "1"}};
-    write_file(file, merged(file, tools, {point("bps", 100), point("schlick", 50)}));
-    const std::string text = merged(file, {{"yosys", "1"}, {"iverilog", "2"}}, {point("bps", 90)});
+    write_file(file, merged(file, PriceFile::lobes, tools, {point("bps", 100), point("schlick", 50)}));
+    const std::string text = merged(file, PriceFile::lobes, {{"yosys", "1"}, {"iverilog", "2"}}, {point("bps", 90)});
     const auto json = nlohmann::json::parse(text);
     REQUIRE(json["points"].size() == 2);
     CHECK(json["points"][0]["luts"] == 90);
     CHECK(json["points"][0]["clock_mhz"] == 80.0);
     CHECK(json["points"][1]["luts"] == 50);
     CHECK(json["tools"] == nlohmann::json{{"yosys", "1"}, {"iverilog", "2"}});
-    CHECK_THROWS_AS(merged(file, {{"yosys", "3"}}, {}), Error);
+    CHECK_THROWS_AS(merged(file, PriceFile::lobes, {{"yosys", "3"}}, {}), Error);
     for (const char* bad : {"", "[]", "{\"format\": 1}", R"({"format": "glint-cost-fpga-1"})",
                             R"({"format": "glint-cost-fpga-1", "tools": {}, "points": [1]})"}) {
         CAPTURE(bad);
         write_file(file, bad);
-        CHECK_THROWS_AS(merged(file, tools, {}), Error);
+        CHECK_THROWS_AS(merged(file, PriceFile::lobes, tools, {}), Error);
     }
+}
+
+TEST_CASE("the file of effects' prices: one of shade a mask, one of a highlight a lobe") {
+    const TemporaryFolder folder;
+    const std::filesystem::path file = folder.path() / "effects.json";
+    const auto effect = [](const std::string& name, std::optional<int> mask, const std::string& lobe, int luts) {
+        FpgaPoint out = point(lobe, luts);
+        out.effect = name;
+        out.mask = mask;
+        return out;
+    };
+    const auto write = [&](const std::vector<FpgaPoint>& points) {
+        write_file(file, merged(file, PriceFile::effects, {{"yosys", "1"}}, points));
+        return nlohmann::json::parse(read_file(file))["points"];
+    };
+    write({effect("shade", 10, "bps", 100), effect("shade", 2, "bps", 50), effect("lambert", {}, "", 10),
+           effect("blinn_phong", {}, "cayley", 70)});
+    const auto points = write({effect("shade", 2, "bps", 40), effect("blinn_phong", {}, "bps", 60)});
+    REQUIRE(points.size() == 5);
+    CHECK(points[0]["lobe"] == "bps");
+    CHECK(points[1]["luts"] == 70);
+    CHECK_FALSE(points[2].contains("mask"));
+    CHECK_FALSE(points[2].contains("lobe"));
+    CHECK_FALSE(points[2].contains("architecture"));
+    CHECK(points[3]["mask"] == 2);
+    CHECK(points[3]["luts"] == 40);
+    CHECK(points[4]["mask"] == 10);
+    CHECK_THROWS_AS(merged(file, PriceFile::lobes, {}, {}), Error);
+}
+
+TEST_CASE("units of effects: those they are made of beside them, MASK set, and results as by the mask") {
+    const TemporaryFolder folder;
+    Flow flow(folder.path());
+    FpgaOptions options;
+    options.effect = "shade";
+    options.mask = "3,8";
+    const std::vector<PricedUnit> units = priced_units(options, flow);
+    REQUIRE(units.size() == 2);
+    CHECK(units[0].unit.module == "glint_effect_shade_bps_p12");
+    CHECK(units[0].unit.parameters == ".TAG_W(1), .MASK(3)");
+    REQUIRE(units[1].point.mask);
+    CHECK(*units[1].point.mask == 8);
+    const auto model = find_effect("shade").golden(parse_profile("p12"), "bps");
+    std::size_t different = 0;
+    REQUIRE(units[0].burst.size() > 64);
+    for (std::size_t i = 0; i < units[0].burst.size(); ++i) {
+        std::vector<std::int64_t> in = units[0].burst[i].in;
+        in[0] &= 3;
+        const EffectResult result = model->eval_port(in);
+        CHECK(std::equal(result.values.begin(), result.values.end(), units[0].burst[i].out.begin()));
+        CHECK(units[0].burst[i].out.back() == (result.clamped ? 1 : 0));
+        different += units[0].burst[i].out != units[1].burst[i].out;
+    }
+    CHECK(different > 64);
+    std::vector<std::string> names;
+    for (const Source& source : with_dependencies(rtl, units[0].files)) names.push_back(source.name);
+    for (const char* file : {"glint_effect_lambert_p12.v", "glint_bps_p12.v", "glint_bps.v", "glint_fifo.v"}) {
+        CAPTURE(file);
+        CHECK(std::count(names.begin(), names.end(), file) == 1);
+    }
+    CHECK(names.back() == "glint_effect_shade_bps_p12.v");
+    options.mask = "256";
+    CHECK_THROWS_WITH(priced_units(options, flow), "--mask '256' is not legal: 0 to 255");
 }
 
 TEST_CASE("the table is the best of its size, and its model and its memory agree") {
@@ -179,12 +250,16 @@ TEST_CASE("the table is the best of its size, and its model and its memory agree
     const auto model = table_model(profile, format);
     CHECK(model->eval_port(1, profile.one()).y <= 255);
     const std::vector<Source> unit = table_unit(profile, format);
-    const std::vector<Stimulus> burst{{1, 0},     {1, profile.one()}, {1023, profile.one()}, {1023, 60000}, {5, 33333},
-                                      {0, 44444}, {700, -1},          {2, profile.one() + 1}};
-    std::vector<PortResult> expected;
-    for (const Stimulus& in : burst) expected.push_back(model->eval_port(in.n, in.cos_code));
-    const Clocks clocks = flow.count_clocks(with_dependencies(rtl, unit), lobe_unit("glint_table_p8", profile, 1),
-                                            profile, burst, expected);
+    const std::vector<Exchange> burst = exchanges(*model, {{1, 0},
+                                                           {1, profile.one()},
+                                                           {1023, profile.one()},
+                                                           {1023, 60000},
+                                                           {5, 33333},
+                                                           {0, 44444},
+                                                           {700, -1},
+                                                           {2, profile.one() + 1}});
+    const Clocks clocks =
+        flow.count_clocks(with_dependencies(rtl, unit), lobe_unit("glint_table_p8", profile, 1), burst);
     CHECK(clocks.latency == 3);
     CHECK(clocks.interval == 1);
 }
