@@ -140,7 +140,7 @@ std::vector<PricedUnit> tables(const FpgaOptions& options, Flow& flow) {
 // ---- effects -----------------------------------------------------------------------------------------------------
 
 /// The effects alone, lambert with blinn_phong, what the scenes of scenes/ call for (`glint render`), and all.
-constexpr std::string_view default_masks = "1,2,4,8,16,32,64,128,3,10,11,15,255";
+constexpr std::string_view default_masks = "1,2,4,8,16,32,64,128,3,10,11,15,19,35,195,255";
 
 std::vector<int> masks(const std::string& text) {
     const std::int64_t most = (std::int64_t{1} << shade_effects().size()) - 1;
