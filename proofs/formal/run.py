@@ -64,8 +64,9 @@ DIVIDERS = {"p8": (28, 26, 12), "p12": (34, 28, 16), "p16": (40, 30, 20)}  # X_W
 
 HANDSHAKE = "no item lost, repeated or reordered; stable in a stall; tag kept; reset"
 
-# In the proofs of units their outputs may be any number.
-NUMBERS = ("multiplier", "divider", "log2", "parabola", "sqrt", "attenuation", "delay")
+# In the proofs of units their outputs may be any number; in those of effects, whose pipelines are long, more.
+NUMBERS = ("multiplier", "divider", "log2", "parabola")
+EFFECT_NUMBERS = (*NUMBERS, "sqrt", "attenuation", "delay")
 
 # Planted bugs: what breaks, the property that finds it, text, what stands there instead.
 PORTS_BUGS = [
@@ -407,7 +408,8 @@ def prepare(task, folder):
     if task.kind in KINDS:
         # Any product, quotient, logarithm, ... will do, and whatever waits for it beside: the handshake must not depend on
         # them.
-        script += (f"select -set numbers {' '.join(f't:*glint_{name}*' for name in NUMBERS)} t:$mul t:$shr\n"
+        names = EFFECT_NUMBERS if task.kind == "effect" else NUMBERS
+        script += (f"select -set numbers {' '.join(f't:*glint_{name}*' for name in names)} t:$mul t:$shr\n"
                    "select -set frame *glint_ports*/* *glint_stream*/*\ncutpoint @numbers @frame %d\n")
     # What nothing drives, such as the entries of tables beside a unit, may be anything: before `opt` chooses a value.
     script += "proc\nflatten\nsetundef -undriven -anyseq\nopt -full\ndffunmap\nopt_clean\n"
