@@ -292,7 +292,9 @@ def of_effect(effect):
         kind, tops = "highlight", {profile: f"{unit}_{BUGGED}_{profile}" for profile in ("p8", "p12")}
         numbers = {profile: {} for profile in tops}
     small = {**numbers["p8"], "TAG_W": 2}
-    out = [Task(f"effect.{effect}.p12", HANDSHAKE, tops["p12"], kind, {**numbers["p12"], "TAG_W": TAG_W}, "induction", 2)]
+    # The 28 clocks of a lobe's unit at p12 close too, in minutes.
+    profile, tag_w = ("p8", 2) if kind == "highlight" else ("p12", TAG_W)
+    out = [Task(f"effect.{effect}.{profile}", HANDSHAKE, tops[profile], kind, {**numbers[profile], "TAG_W": tag_w}, "induction", 2)]
     if effect in (*SHORT, "phong"):
         out.append(Task(f"effect.{effect}.cover", "not vacuous", tops["p8"], kind, small, "cover", 60))
     if effect in SHORT:
