@@ -11,11 +11,11 @@ module glint_scoreboard #(
     parameter WIDTH      = 1,  // bits that travel with an item unchanged
     parameter RESULT_W   = 1,  // bits of all other outputs that valid vouches for
     parameter CAPACITY   = 1,  // most items in flight
-    parameter PATIENCE   = 1,  // an item leaves at the PATIENCE-th clock with out_ready = 1, or before
-    parameter DROUGHT    = 1,  // with an item in flight, out_valid is 0 for less than DROUGHT clocks in a row
+    parameter PATIENCE   = 1,  // an item leaves at the PATIENCE-th clock with out_ready = 1, or before; 0: not claimed
+    parameter DROUGHT    = 1,  // with an item in flight, out_valid is 0 for less than DROUGHT clocks in a row; 0: not claimed
     parameter RATE       = 0,  // in_ready is 1 after RATE clocks in a row with out_ready = 1; 0: in the same clock
     parameter FULL_RATE  = 1,  // 0: the item a clock is not claimed
-    parameter REGISTERED = 0   // 1: valid and ready are 0 in the clock after one with reset; 0: in the same clock
+    parameter REGISTERED = 0   // 1: valid and ready are 0 in the clock after one with reset; 2: valid alone; 0: in the same clock
 ) (
     input  wire                clk,
     input  wire                rst_n,
@@ -86,16 +86,16 @@ module glint_scoreboard #(
         // Nothing is lost, repeated or overtaken on the way, and what travels with an item is kept.
         if (rst_n && out_valid && watching && ahead == 0) in_turn: assert (out_data == item);
         // Nothing stays inside for ever: both bounds hold whatever the neighbours do.
-        if (watching) delivered: assert (patience < PATIENCE);
+        if (watching && PATIENCE != 0) delivered: assert (patience < PATIENCE);
         capacity: assert (in_flight <= CAPACITY);
         // valid never waits for ready.
-        if (rst_n && in_flight != 0 && !out_valid) valid_does_not_wait: assert (drought + 1 < DROUGHT);
+        if (rst_n && in_flight != 0 && !out_valid && DROUGHT != 0) valid_does_not_wait: assert (drought + 1 < DROUGHT);
         // An item a clock, for as long as the receiver takes one a clock.
         if (FULL_RATE != 0 && rst_n && ready_run == RATE && (out_ready || RATE != 0)) full_rate: assert (in_ready);
         // A stalled output does not change and does not go away, except by reset.
         if (rst_n && stall_q) stable: assert (out_valid && {out_data, out_result} == held_q);
         // Reset closes both sides.
-        if (REGISTERED ? reset_q : !rst_n) silent_in_reset: assert (!out_valid && !in_ready);
+        if (REGISTERED != 0 ? reset_q : !rst_n) silent_in_reset: assert (!out_valid && (!in_ready || REGISTERED == 2));
     end
 
     // What is not shown to happen would make the properties empty. The bounds above are reached: they are exact.

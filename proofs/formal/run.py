@@ -23,7 +23,7 @@ from dataclasses import dataclass, field
 
 HERE = pathlib.Path(__file__).resolve().parent
 RTL = HERE.parent.parent / "rtl"
-LIMITS_SECONDS = (15, 120)  # of each way of asking the solver, one after the other
+LIMITS_SECONDS = (15, 120)  # of processor time, for each way of asking the solver, one after the other
 PROGRAMS = {"yosys": "yosys", "yosys-smtbmc": "yosys", "z3": "z3"}  # and the package of each
 
 
@@ -41,6 +41,7 @@ class Task:
     method: str                    # induction, cover or bug
     depth: int                     # induction: the largest k tried; else the clocks looked at
     only: str = ""                 # the properties in question, as a regular expression; else all
+    given: str = ""                # properties that another task proves by themselves, which this one may assume
     defines: tuple = ()
     edit: tuple = ()               # bug: module, text, what stands there instead
     failures: list = field(default_factory=list)
@@ -55,10 +56,17 @@ class Task:
 LOBES = re.findall(r"^GLINT_LOBE\((\w+)\)$", (RTL.parent / "model/include/glint/lobes.def").read_text(), re.M)
 SMALL = {"bps": {"F": 8, "S": 4, "K": 4, "O": 4}}
 BUGGED = "bps"  # proven at every shipped profile, the others at p12; bugs of what the lobes share are planted here
+SHORT = ("lambert", "ambient", "tint")  # effects of a few clocks; bugs of what they share are planted in the first
+EFFECTS = re.findall(r"^GLINT_EFFECT\((\w+)\)$", (RTL.parent / "model/include/glint/effects.def").read_text(), re.M)
+KINDS = ("unit", "axis", "effect", "highlight")  # each has its property file
 TAG_W = 16
 DIVIDERS = {"p8": (28, 26, 12), "p12": (34, 28, 16), "p16": (40, 30, 20)}  # X_W, Y_W, Q_W in bps
 
 HANDSHAKE = "no item lost, repeated or reordered; stable in a stall; tag kept; reset"
+
+# In the proofs of units their outputs may be any number; in those of effects, whose pipelines are long, more.
+NUMBERS = ("multiplier", "divider", "log2", "parabola")
+EFFECT_NUMBERS = (*NUMBERS, "sqrt", "attenuation", "delay")
 
 # Planted bugs: what breaks, the property that finds it, text, what stands there instead.
 PORTS_BUGS = [
@@ -76,6 +84,36 @@ PORTS_BUGS = [
     ("tag_stays_behind", "in_turn", ") delay_tag (\n                .clk_i   (clk_i),\n                .enable_i(advance),",
      ") delay_tag (\n                .clk_i   (clk_i),\n                .enable_i(ready_i),"),
 ]
+STREAM_BUGS = [
+    ("stall_ignored", "stable", "wire               advance = ready_i | ~valid_q[LATENCY-1];",
+     "wire               advance = 1'b1;"),
+    ("valid_waits_for_ready", "valid_does_not_wait", "advance = ready_i | ~valid_q[LATENCY-1];", "advance = ready_i;"),
+    ("item_lost", "delivered", "valid_q[LATENCY-2:0], valid_i}", "valid_q[LATENCY-2:0], valid_i & ready_i}"),
+    ("bubble_comes_out", "nothing_invented", "valid_q[LATENCY-2:0], valid_i}", "valid_q[LATENCY-2:0], 1'b1}"),
+    ("survives_reset", "nothing_invented", "if (!rst_ni) valid_q <= {LATENCY{1'b0}};\n        else if (advance)",
+     "if (advance)"),
+    ("ready_in_reset", "silent_in_reset", "assign ready_o   = rst_ni & advance;", "assign ready_o   = advance;"),
+    ("every_second_clock", "full_rate", "assign ready_o   = rst_ni & advance;",
+     "assign ready_o   = rst_ni & advance & ~valid_q[0];"),
+    ("accepts_when_full", "capacity", "assign ready_o   = rst_ni & advance;", "assign ready_o   = rst_ni;"),
+    ("tag_stays_behind", "in_turn", ".enable_i(advance),", ".enable_i(ready_i),"),
+    ("clamped_of_the_next", "in_turn", "        .data_o  ({clamped_o, tag_o})\n    );",
+     "        .data_o  ({clamped_late, tag_o})\n    );\n    wire clamped_late;\n    assign clamped_o = clamped_i;"),
+]
+HIGHLIGHT_BUGS = [
+    ("facing_and_clamped_swapped", "in_turn", "{facing, clamped_o, tag_o} =", "{clamped_o, facing, tag_o} ="),
+    ("grazing_is_lit", "in_turn", "{~nl_i[F+1] & (|nl_i[F:0]),", "{~nl_i[F+1],"),
+    ("lit_from_behind", "dark_behind", "lobe_y_i & {(O + 1) {facing}}", "lobe_y_i"),
+]
+SHADE_BUGS = {
+    "glint_effect_shade": [
+        ("one_too_many", "capacity", "rst_ni & ~held_q[LOG_DEPTH] &", "rst_ni &"),
+        ("joins_early", "terms_kept", "join_valid = &here;", "join_valid = here[0];"),
+        ("clamped_unasked", "clamped_right", "clamped & asked[k+1];", "clamped;"),
+        ("light_of_another", "sums_right", "i_q <= i;", "i_q <= i_i;"),
+    ],
+    "glint_shade_part": [("sum_wraps", "sums_right", "exact[O+7:0] | {(O + 8) {exact[O+8]}};", "exact[O+7:0];")],
+}
 ITERATIVE_BUGS = [
     ("second_item", "capacity", "room = ITERATIVE ? ~|valid_q[CLOCKS-2:0] : 1'b1;", "room = 1'b1;"),
     ("tag_of_another", "in_turn", "if (advance & load) begin\n                    negative_q",
@@ -104,6 +142,16 @@ SKID_BUGS = [
     ("accepts_when_full", "capacity", "ready_q      <= ~spare_full;", "ready_q      <= 1'b1;"),
     ("valid_pauses", "valid_does_not_wait", "assign valid_o = valid_q;", "assign valid_o = valid_q & ready_q;"),
 ]
+FIFO_BUGS = [
+    ("pushed_and_shown", "in_turn", "written_q <= write_q;", "written_q <= write_q + {{LOG_DEPTH{1'b0}}, push_i};"),
+    ("pop_ignored", "nothing_invented", "read_q    <= read;", "read_q    <= read_q;"),
+    ("push_forgotten", "valid_does_not_wait", "{{LOG_DEPTH{1'b0}}, push_i};", "{{LOG_DEPTH{1'b0}}, push_i & ~pop_i};"),
+    ("full_is_empty", "valid_does_not_wait", "valid_o = written_q != read_q;",
+     "valid_o = written_q[LOG_DEPTH-1:0] != read_q[LOG_DEPTH-1:0];"),
+    ("read_late", "in_turn", "data_q <= memory[read[LOG_DEPTH-1:0]];", "data_q <= memory[read_q[LOG_DEPTH-1:0]];"),
+    ("output_runs_on", "stable", "read_q + {{LOG_DEPTH{1'b0}}, pop_i};", "read_q + {{LOG_DEPTH{1'b0}}, valid_o};"),
+    ("not_reset", "silent_in_reset", "written_q <= {(LOG_DEPTH + 1) {1'b0}};", "written_q <= write_q;"),
+]
 DELAY_BUGS = [
     ("stage_skipped", "comes_out", "data_q <= stage[i-1].data_q;", "data_q <= stage[0].data_q;"),
     ("enable_ignored", "holds", "if (enable_i) data_q <= stage[i-1].data_q;", "data_q <= stage[i-1].data_q;"),
@@ -129,14 +177,14 @@ SQRT_BUGS = [
 
 def bugs(group, top, kind, parameters, depth, module, table, defines=()):
     return [Task(f"bugs.{group}.{name}", f"`{prop}` fails", top, kind, parameters, "bug", depth,
-                 rf"(.*\.)?{prop}", defines, (module, text, instead)) for name, prop, text, instead in table]
+                 rf"(.*\.)?{prop}", "", defines, (module, text, instead)) for name, prop, text, instead in table]
 
 
 def word_lengths(lobe, profile):
     """The integer parameters that the generated wrapper of a unit sets."""
     wrapper = RTL / "generated" / f"glint_{lobe}_{profile}.v"
     if not wrapper.exists():
-        raise UsageError(f"lobe {lobe} has no {wrapper.name} in {wrapper.parent}")
+        raise UsageError(f"{lobe} has no {wrapper.name} in {wrapper.parent}")
     found = re.findall(r"^ +\.([A-Z]\w*) *\((\d+)\),$", wrapper.read_text(), re.M)
     return {name: int(value) for name, value in found}
 
@@ -156,11 +204,17 @@ def tasks():
                         "delay", {"WIDTH": TAG_W + 1, "STAGES": stages}, "induction", 2))
     out += [Task("delay.cover", "not vacuous", "glint_delay", "delay", {"WIDTH": 4, "STAGES": 5}, "cover", 12),
             *bugs("delay", "glint_delay", "delay", {"WIDTH": 4, "STAGES": 5}, 9, "glint_delay", DELAY_BUGS)]
+    fifo = {"WIDTH": 4, "LOG_DEPTH": 2}
+    for log_depth in (1, 6):
+        out.append(Task(f"fifo.{log_depth}", "no item lost, repeated or reordered, where no more are pushed than it holds",
+                        "glint_fifo", "fifo", {"WIDTH": 87, "LOG_DEPTH": log_depth}, "induction", 1))
+    out += [Task("fifo.cover", "not vacuous", "glint_fifo", "fifo", fifo, "cover", 14),
+            *bugs("fifo", "glint_fifo", "fifo", fifo, 9, "glint_fifo", FIFO_BUGS)]
     small = divider(10, 6, 5)
     for name, widths in DIVIDERS.items():
         out.append(Task(f"divider.stage.{name}", "one stage: 2 remainder + bit = fits divisor + reduced < divisor",
                         "glint_divider_restoring", "divider", divider(*widths), "induction", 1, "one_stage|stage_moves",
-                        ("TWO_STAGES",)))
+                        defines=("TWO_STAGES",)))
     for name in ("p8", "p12"):  # at p16 z3 does not answer in 300 s
         out.append(Task(f"divider.{name}", "whole divider, by bookkeeping; holds without enable", "glint_divider_restoring",
                         "divider", divider(*DIVIDERS[name]), "induction", 1))
@@ -199,6 +253,57 @@ def tasks():
             out += [*bugs(lobe, unit, "unit", core, 22, "glint_ports", PORTS_BUGS),
                     *bugs(f"axis.{lobe}", wrapper, "axis", axis, 24, "glint_axis", AXIS_BUGS),
                     *bugs(f"axis.{lobe}", wrapper, "axis", axis, 24, wrapper, WRAPPER_BUGS)]
+    out += of_shade()
+    for effect in (e for e in EFFECTS if e != "shade"):
+        out += of_effect(effect)
+    return out
+
+
+def of_shade():
+    """The tasks of the effect shade, a few properties at a time: each may assume those that are proven before it."""
+    name, top, kind = "effect.shade", "glint_effect_shade", "shade"
+    small = {"O": 2, "N": 2, "MASK": 7, "DIFFUSE": 2, "LOG_DEPTH": 1, "TAG_W": 1}  # ambient, a diffuse and a specular term
+    order = (r"(scoreboard|fifo_tag|fifo_total|unit\[\d+\]\.built\.fifo)\..*|terms_kept|asked_kept|joined|shown|"
+             "inv_(count|inside|mark|outstanding|waiting|last)")
+    memories = r"(lit|with_\w+)\..*fifo\..*|inv_same"
+    colours = "colours_kept|inv_colours"
+    steps = [("order", "no item lost, repeated or reordered; terms of one item meet; no memory overflows", order),
+             ("memories", "those of the colours keep in step", memories),
+             ("colours", "the colours are those of the item", colours),
+             ("sums", "the sums saturate as a whole, beside their colours", "sums_right"),
+             ("clamped", "`clamped` is that of the item and of what it asks for", "clamped_right|inv_(clamped|between|total|last_clamped)")]
+    # What is given is what the step needs, no more, so that it closes fast.
+    given = {"memories": order, "colours": rf"inv_(count|inside|mark|outstanding|waiting)|(fifo_tag|scoreboard)\..*|{memories}",
+             "sums": f"{order}|{memories}|{colours}", "clamped": f"{order}|{memories}|{colours}|sums_right"}
+    out = [Task(f"{name}.{step}", shows, top, kind, small, "induction", 1, only, given.get(step, "")) for step, shows, only in steps]
+    out.append(Task(f"{name}.cover", "not vacuous", top, kind, small, "cover", 24))
+    for module, table in SHADE_BUGS.items():
+        out += bugs(name, top, kind, small, 20, module, table)
+    return out
+
+
+def of_effect(effect):
+    """The tasks of an effect: proven at p12; those of a few clocks, and one around a lobe, covered at p8."""
+    unit = f"glint_effect_{effect}"
+    if (RTL / f"{unit}.v").exists():
+        kind, tops = "effect", {profile: unit for profile in ("p8", "p12")}
+        numbers = {profile: word_lengths(f"effect_{effect}", profile) for profile in tops}
+    else:  # it stands around a lobe
+        kind, tops = "highlight", {profile: f"{unit}_{BUGGED}_{profile}" for profile in ("p8", "p12")}
+        numbers = {profile: {} for profile in tops}
+    small = {**numbers["p8"], "TAG_W": 2}
+    # The 28 clocks of a lobe's unit at p12 close too, in minutes.
+    profile, tag_w = ("p8", 2) if kind == "highlight" else ("p12", TAG_W)
+    out = [Task(f"effect.{effect}.{profile}", HANDSHAKE, tops[profile], kind, {**numbers[profile], "TAG_W": tag_w}, "induction", 2)]
+    if effect in (*SHORT, "phong"):
+        out.append(Task(f"effect.{effect}.cover", "not vacuous", tops["p8"], kind, small, "cover", 60))
+    if effect in SHORT:
+        out.append(Task(f"effect.{effect}.cover_full", "the bounds are reached", tops["p8"], kind, small, "cover", 120,
+                        defines=("DEEP_COVER",)))
+    if effect == SHORT[0]:
+        out += bugs(f"effect.{effect}", unit, kind, small, 9, "glint_stream", STREAM_BUGS)
+    if effect == "phong":
+        out += bugs(f"effect.{effect}", tops["p8"], kind, small, 40, "glint_effect_highlight", HIGHLIGHT_BUGS)
     return out
 
 
@@ -231,20 +336,37 @@ def wrapper_at_any_size(lobe, profile, names):
     return text
 
 
+def around_lobe(module):
+    """The generated wrapper of phong or blinn_phong, around the unit in the place of its wrapper; that unit, and its numbers."""
+    lobe, profile = re.fullmatch(r"glint_effect_\w+?_((?:%s)_p\d+)" % "|".join(LOBES), module).group(1).rsplit("_", 1)
+    numbers = word_lengths(lobe, profile)
+    passed = "".join(f".{name}({value}), " for name, value in numbers.items())
+    text = edited(module, (RTL / "generated" / f"{module}.v").read_text(), f"glint_{lobe}_{profile} #(", f"glint_{lobe} #({passed}")
+    return text, f"glint_{lobe}", numbers
+
+
+def declared_result(text):
+    """RESULT_W and result: the outputs of an effect's unit but those of the handshake and to tables, side by side."""
+    ports = [(width or "0", name) for width, name in re.findall(r"^ +output wire +(?:\[(.+):0\] +)?(\w+_o)\b", text, re.M)
+             if name not in ("valid_o", "ready_o", "tag_o", "clamped_o") and not re.search("_(address|enable)_o$", name)]
+    return (f"localparam RESULT_W = {' + '.join(f'{width} + 1' for width, _ in ports)};\n"
+            f"wire [RESULT_W-1:0] result = {{{', '.join(name for _, name in ports)}}};\n")
+
+
 def edited(name, text, old, new):
     if text.count(old) != 1:
         raise RuntimeError(f"the edit applies {text.count(old)} times to {name}.v, not once")
     return text.replace(old, new)
 
 
-def latency(unit, parameters, folder):
-    """The clocks from an input of the unit to its result: as many as glint_ports has valid bits."""
+def latency(unit, parameters, folder, frame="ports"):
+    """The clocks from an input of the unit to its result: as many as its glint_ports or glint_stream has valid bits."""
     chosen = " ".join(f"-chparam {name} {value}" for name, value in parameters.items())
     (folder / "latency.ys").write_text(
         f"read_verilog -formal -defer -D SYNTHESIS {' '.join(str(RTL / f'{name}.v') for name in needed(unit))}\n"
         f"hierarchy -check -top {unit} {chosen}\nproc\nflatten\nwrite_rtlil latency.il\n")
     run(["yosys", "-q", "-l", "latency.log", "latency.ys"], folder, "Yosys")
-    return int(re.search(r"^  wire width (\d+) \\ports\.valid_q$", (folder / "latency.il").read_text(), re.M).group(1))
+    return int(re.search(rf"^  wire width (\d+) \\{frame}\.valid_q$", (folder / "latency.il").read_text(), re.M).group(1))
 
 
 def prepare(task, folder):
@@ -255,29 +377,42 @@ def prepare(task, folder):
         numbers = {name: value for name, value in parameters.items() if name != "USER_W"}
         modules = needed("glint_axis", unit)
         modules[task.top] = wrapper_at_any_size(unit[len("glint_"):], profile, numbers)
+    elif task.kind == "highlight":
+        text, unit, numbers = around_lobe(task.top)
+        modules = {**needed("glint_effect_highlight", unit), task.top: text}
     else:
         modules = needed(task.top)
     if task.edit:
         module, text, instead = task.edit
         modules[module] = edited(module, modules[module], text, instead)
-    if task.kind == "unit":
-        numbers = {name: value for name, value in parameters.items() if name != "TAG_W"}
-        modules[task.top] = modules[task.top].replace(
-            "endmodule", f"localparam LATENCY = {latency(task.top, numbers, folder)};\nendmodule")
+    if task.kind in ("unit", "effect", "highlight"):
+        if task.kind != "highlight":
+            unit, numbers = task.top, {name: value for name, value in parameters.items() if name != "TAG_W"}
+        frame = "stream" if task.kind == "effect" else "ports"
+        added = f"localparam CLOCKS = {latency(unit, numbers, folder, frame)};\n"
+        if task.kind != "unit":
+            added += declared_result(modules[task.top])
+        modules[task.top] = modules[task.top].replace("endmodule", f"{added}endmodule")
     for name, text in modules.items():
-        properties = HERE / f"{task.kind if name == task.top and task.kind in ('unit', 'axis') else name}.vh"
+        properties = HERE / f"{task.kind if name == task.top and task.kind in KINDS else name}.vh"
         end = text.rindex("endmodule")
         text = text[:end] + (properties.read_text() if properties.exists() else "") + text[end:]
         (folder / f"{name}.v").write_text(text)
     if task.kind == "axis":
         parameters["LATENCY"] = latency(unit, numbers, folder)
-    shutil.copy(HERE / "glint_scoreboard.v", folder)
+    for name in ("glint_scoreboard.v", "pipeline.vh", "glint_ports.vh"):
+        shutil.copy(HERE / name, folder)
     defines = " ".join(f"-D {name}" for name in ("SYNTHESIS", f"PROVE_{task.kind.upper()}") + task.defines)
     chosen = " ".join(f"-chparam {name} {value}" for name, value in parameters.items())
     script = f"read_verilog -formal -defer {defines} *.v\nhierarchy -check -top {task.top} {chosen}\n"
-    if task.kind in ("unit", "axis"):
-        # Any product, quotient, logarithm, ... will do: the handshake must not depend on them.
-        script += "cutpoint t:$mul t:$shr t:*glint_multiplier* t:*glint_divider* t:*glint_log2* t:*glint_parabola*\n"
+    if task.kind == "shade":
+        script += "cutpoint t:$mul\n"
+    if task.kind in KINDS:
+        # Any product, quotient, logarithm, ... will do, and whatever waits for it beside: the handshake must not depend on
+        # them.
+        names = EFFECT_NUMBERS if task.kind == "effect" else NUMBERS
+        script += (f"select -set numbers {' '.join(f't:*glint_{name}*' for name in names)} t:$mul t:$shr\n"
+                   "select -set frame *glint_ports*/* *glint_stream*/*\ncutpoint @numbers @frame %d\n")
     # What nothing drives, such as the entries of tables beside a unit, may be anything: before `opt` chooses a value.
     script += "proc\nflatten\nsetundef -undriven -anyseq\nopt -full\ndffunmap\nopt_clean\n"
     script += "delete t:$assert\n" if task.method == "cover" else "delete t:$cover\n"
@@ -285,19 +420,21 @@ def prepare(task, folder):
     (folder / "model.ys").write_text(script)
     run(["yosys", "-q", "-l", "yosys.log", "model.ys"], folder, "Yosys")
     if task.only:
-        names = [n for n in cells(folder, "assert") if re.fullmatch(task.only, n)]
-        if not names:
-            raise RuntimeError(f"no property `{task.only}` in the model")
-        keep = " ".join(f"c:{name}" for name in names)
-        (folder / "only.ys").write_text(
-            f"read_rtlil model.il\nselect -set kept {keep}\ndelete t:$assert @kept %d\nopt_clean\n"
-            "write_rtlil model.il\nwrite_smt2 -wires model.smt2\n")
+        sets = {}
+        for name, pattern in (("kept", task.only), ("given", task.given)):
+            sets[name] = [n for n in cells(folder, "assert") if pattern and re.fullmatch(pattern, n)]
+            if pattern and not sets[name]:
+                raise RuntimeError(f"no property `{pattern}` in the model")
+        script = "read_rtlil model.il\n"
+        script += "".join(f"chtype -set $assume c:{n}\n" for n in sets["given"] if n not in sets["kept"])
+        script += f"select -set kept {' '.join(f'c:{n}' for n in sets['kept'])}\ndelete t:$assert @kept %d\n"
+        (folder / "only.ys").write_text(script + "opt_clean\nwrite_rtlil model.il\nwrite_smt2 -wires model.smt2\n")
         run(["yosys", "-q", "-l", "only.log", "only.ys"], folder, "Yosys")
 
 
 def run(command, folder, what):
     done = subprocess.run(command, cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
-                          check=False, timeout=LIMITS_SECONDS[-1])
+                          check=False)
     if done.returncode != 0:
         raise RuntimeError(f"{what} ended with status {done.returncode}: {' '.join(done.stdout.split())[-300:]}")
 
@@ -317,18 +454,15 @@ def stop(number, _):
 
 
 def ask(command, folder, limit):
-    """What the solver printed, or None when it had no answer after so many seconds."""
-    process = subprocess.Popen(command, cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
-                               start_new_session=True)
+    """What the solver printed, or None when it had no answer after so many seconds of processor time."""
+    process = subprocess.Popen(["sh", "-c", 'ulimit -t "$0" && exec "$@"', str(limit), *command], cwd=folder,
+                               stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, start_new_session=True)
     solvers.add(process.pid)
     try:
-        return process.communicate(timeout=limit)[0]
-    except subprocess.TimeoutExpired:
-        os.killpg(process.pid, signal.SIGKILL)
-        process.communicate()
-        return None
+        output = process.communicate()[0]
     finally:
         solvers.discard(process.pid)
+    return None if "Unexpected EOF response from solver" in output or process.returncode == -signal.SIGKILL else output
 
 
 def solve(task, folder, *arguments):
@@ -336,7 +470,7 @@ def solve(task, folder, *arguments):
     # Which way of asking z3 answers fast differs by factors of a hundred, either way, and with any edit of the Verilog:
     # each way gets a little time, then each more.
     ways = [["--unroll", "--noincr"], ["--noincr"], ["--unroll"], []]
-    first = {"unit": ["--noincr"], "axis": ["--unroll"]}.get(task.kind) if task.method == "induction" else None
+    first = {"unit": ["--noincr"], "axis": ["--unroll"], "effect": ["--unroll"], "highlight": ["--unroll"]}.get(task.kind) if task.method == "induction" else None
     ways.sort(key=lambda way: way != first)
     for limit in LIMITS_SECONDS:
         for way in ways:
@@ -395,7 +529,7 @@ def carry_out(task, build):
             folder.mkdir(parents=True, exist_ok=True)
         try:
             prove(task, folder)
-        except (RuntimeError, subprocess.TimeoutExpired) as error:
+        except RuntimeError as error:
             task.failures.append(str(error))
     task.seconds = time.monotonic() - start
     parameters = " ".join(f"{name}={value}" for name, value in task.parameters.items())

@@ -5,8 +5,10 @@ import contextlib
 import dataclasses
 import io
 import pathlib
+import re
 import subprocess
 import sys
+import tempfile
 import unittest
 
 import run
@@ -47,6 +49,29 @@ class Runner(unittest.TestCase):
 
     def test_no_property(self):
         self.assertIn("no property", failures(self.bug, only="no_such_property")[0])
+
+        self.assertIn("no property", failures(self.bug, given="no_such_property")[0])
+
+    def test_every_effect_is_proven(self):
+        names = {task.name for task in run.tasks() if task.method == "induction"}
+        self.assertIn("lambert", run.EFFECTS)
+        for effect in run.EFFECTS:
+            self.assertTrue(f"effect.{effect}.p12" in names or f"effect.{effect}.order" in names, effect)
+
+    def test_given_is_proven_before(self):
+        """What a step of shade may assume, an earlier step proves."""
+        with tempfile.TemporaryDirectory() as temporary:
+            steps = [task for task in run.tasks() if task.top == "glint_effect_shade" and task.method == "induction"]
+            self.assertEqual([bool(task.given) for task in steps], [False] + [True] * (len(steps) - 1))
+            run.prepare(dataclasses.replace(steps[0], only="", given=""), pathlib.Path(temporary))
+            proven = set()
+            for task in steps:
+                properties = run.cells(pathlib.Path(temporary), "assert")
+                given = {name for name in properties if task.given and re.fullmatch(task.given, name)}
+                self.assertLessEqual(given, proven, task.name)
+                proven |= {name for name in properties if re.fullmatch(task.only, name)}
+            rest = {name for name in properties if name not in proven}
+            self.assertTrue(all(re.search(r"inv_after(_bound)?$", name) for name in rest), rest)  # bookkeeping nothing rests on
 
     def test_wrappers_differ_in_numbers_only(self):
         """Proven is that of p12."""
