@@ -112,7 +112,6 @@ SHADE_BUGS = {
         ("clamped_unasked", "clamped_right", "clamped & asked[k+1];", "clamped;"),
         ("light_of_another", "sums_right", "i_q <= i;", "i_q <= i_i;"),
     ],
-    "glint_shade_part": [("sum_wraps", "sums_right", "exact[O+7:0] | {(O + 8) {exact[O+8]}};", "exact[O+7:0];")],
 }
 ITERATIVE_BUGS = [
     ("second_item", "capacity", "room = ITERATIVE ? ~|valid_q[CLOCKS-2:0] : 1'b1;", "room = 1'b1;"),
