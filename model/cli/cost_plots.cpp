@@ -86,7 +86,7 @@ std::string panel(const CostPlotData& data, const Axis& axis, const Theme& theme
     // Below and to the left of a point of the front there is no other. The first one's name has no room there.
     double named = HUGE_VAL;
     for (std::size_t i = 0; i < front.size(); ++i) {
-        if (front[i].error > 0.85 * named) continue;  // it would lie on the name before
+        if (front[i].error > 0.75 * named) continue;  // it would lie on the name before
         named = front[i].error;
         out += fmt::format("set label '{} {}' at {:g},{:g} {} font ',11' textcolor rgb '{}' front\n",
                            key_name(front[i].lobe), key_name(front[i].profile), *place(front[i], axis.metric),

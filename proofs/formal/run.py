@@ -23,7 +23,7 @@ from dataclasses import dataclass, field
 
 HERE = pathlib.Path(__file__).resolve().parent
 RTL = HERE.parent.parent / "rtl"
-LIMITS_SECONDS = (15, 120)  # of processor time, for each way of asking the solver, one after the other
+MOST_SECONDS = 120  # of processor time, for one way of asking the solver
 PROGRAMS = {"yosys": "yosys", "yosys-smtbmc": "yosys", "z3": "z3"}  # and the package of each
 
 
@@ -467,20 +467,21 @@ def ask(command, folder, limit):
 def solve(task, folder, *arguments):
     """One run of yosys-smtbmc: whether it ended with PASSED, and what it printed."""
     # Which way of asking z3 answers fast differs by factors of a hundred, either way, and with any edit of the Verilog:
-    # each way gets a little time, then each more.
+    # the one that did so far gets some time, each other a little, then each more.
     ways = [["--unroll", "--noincr"], ["--noincr"], ["--unroll"], []]
-    first = {"unit": ["--noincr"], "axis": ["--unroll"], "effect": ["--unroll"], "highlight": ["--unroll"]}.get(task.kind) if task.method == "induction" else None
-    ways.sort(key=lambda way: way != first)
-    for limit in LIMITS_SECONDS:
-        for way in ways:
-            output = ask(["yosys-smtbmc", "--noprogress", *way, "-s", "z3", *arguments, "model.smt2"], folder, limit)
-            if output is None:
-                continue
-            found = re.search(r"Status: (\w+)", output)
-            if not found:
-                raise RuntimeError(f"no status from yosys-smtbmc: {' '.join(output.split())[-300:]}")
-            return found.group(1) == "PASSED", output
-    raise RuntimeError(f"no answer from the solver, asked in {len(ways)} ways for {LIMITS_SECONDS[-1]} s each")
+    fast = {"unit": ["--noincr"], "axis": ["--unroll"], "effect": ["--unroll"], "highlight": ["--unroll"]}
+    if task.method == "induction" and task.kind in fast:
+        ways.sort(key=lambda way: way != fast[task.kind])
+    tries = [(ways[0], 60), *((way, 15) for way in ways[1:]), *((way, MOST_SECONDS) for way in ways)]
+    for way, limit in tries:
+        output = ask(["yosys-smtbmc", "--noprogress", *way, "-s", "z3", *arguments, "model.smt2"], folder, limit)
+        if output is None:
+            continue
+        found = re.search(r"Status: (\w+)", output)
+        if not found:
+            raise RuntimeError(f"no status from yosys-smtbmc: {' '.join(output.split())[-300:]}")
+        return found.group(1) == "PASSED", output
+    raise RuntimeError(f"no answer from the solver, asked in {len(ways)} ways for {MOST_SECONDS} s each")
 
 
 def failed_property(output):

@@ -37,7 +37,7 @@ class Refusals(Cost):
     def test_refusals(self):
         for pattern, arguments in (
             ("'cost/accuracy.json' is not there", []),
-            ("device 'hx9k' is not known: hx8k, up5k, ecp5-25k, xc7", ["--fpga", "--device", "hx9k"]),
+            ("device 'hx9k' is not known: hx8k, up5k, ecp5-25k, ecp5-85k, xc7", ["--fpga", "--device", "hx9k"]),
             ("--dsp 'maybe' is not legal", ["--fpga", "--dsp", "maybe"]),
             ("--seeds '0' is not legal", ["--fpga", "--seeds", "0"]),
             ("--seeds '1,1' is not legal", ["--fpga", "--seeds", "1,1"]),
