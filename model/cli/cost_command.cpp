@@ -96,7 +96,7 @@ void add_cost(CLI::App& app, Chosen& chosen) {
     command->add_option("--effect", o->effect, "Effects instead of lobes, or all (made of --lobe; default bps)");
     command->add_option("--mask", o->mask, "Of the effect shade: values of MASK; default: a list (docs/cost.md)");
     command->add_option("--profile", o->profile, "Profiles: p8, p12, p16 or the lobe's F,..,O");
-    command->add_option("--device", o->device, "hx8k (default), up5k, ecp5-25k, ecp5-85k, xc7; table: also all, and a CPU");
+    command->add_option("--device", o->device, "hx8k (default), up5k, ecp5-25k, ecp5-85k, xc7; table: all");
     command->add_option("--json", o->json, "Write the table as JSON; merge what is measured into this file");
     CostTableOptions& table = o->table;
     o->of_table = {
