@@ -1,4 +1,4 @@
-// Included by unit.vh, effect.vh and highlight.vh: the scoreboard beside a pipeline that moves as a whole, and where the
+// Included by effect.vh and highlight.vh: the scoreboard beside a pipeline that moves as a whole, and where the
 // watched item is in it. What includes it declares, of the pipeline of CLOCKS slots, slot 0 the first:
 //   moves, slots_full, slots_after, slots_inside  its enable and valid bits; the bookkeeping of glint_ports.vh
 //   slots_item                                    SLOT_W bits a slot, the item below
