@@ -79,16 +79,6 @@ std::vector<const UnitKind*> find_units(const GoldenModel& model, const std::vec
     return out;
 }
 
-std::vector<std::string> split(const std::string& text) {
-    std::vector<std::string> out;
-    for (std::size_t begin = 0; begin <= text.size();) {
-        const std::size_t end = std::min(text.find(',', begin), text.size());
-        out.push_back(text.substr(begin, end - begin));
-        begin = end + 1;
-    }
-    return out;
-}
-
 Request make_request(const Options& options, const GoldenModel& model) {
     Request request;
     request.n = parse_range(options.n, "--n", 1, max_n);
@@ -125,11 +115,7 @@ std::vector<const Effect*> split_effects(const std::string& text) {
         }
         return out;
     }
-    for (std::size_t begin = 0; begin <= text.size();) {
-        const std::size_t end = std::min(text.find(',', begin), text.size());
-        out.push_back(&find_effect(text.substr(begin, end - begin)));
-        begin = end + 1;
-    }
+    for (const std::string& word : cli::split_list(text)) out.push_back(&find_effect(word));
     return out;
 }
 
@@ -137,10 +123,8 @@ std::vector<const Effect*> split_effects(const std::string& text) {
 std::vector<int> split_masks(const std::string& text) {
     if (text.empty()) return {-1};
     std::vector<int> out;
-    for (std::size_t begin = 0; begin <= text.size();) {
-        const std::size_t end = std::min(text.find(',', begin), text.size());
-        out.push_back(static_cast<int>(cli::parse_integer(text.substr(begin, end - begin), "--mask", 0, 0xffff)));
-        begin = end + 1;
+    for (const std::string& word : cli::split_list(text)) {
+        out.push_back(static_cast<int>(cli::parse_integer(word, "--mask", 0, 0xffff)));
     }
     return out;
 }
@@ -199,8 +183,8 @@ int cosim(const Options& options, const std::string& command) {
     std::vector<std::pair<const GoldenModel*, const UnitKind*>> work;
     for (const auto& model : golden) {
         const auto architectures =
-            options.architecture.empty() ? std::vector<std::string>{} : split(options.architecture);
-        for (const UnitKind* kind : find_units(*model, split(options.unit), architectures)) {
+            options.architecture.empty() ? std::vector<std::string>{} : cli::split_list(options.architecture);
+        for (const UnitKind* kind : find_units(*model, cli::split_list(options.unit), architectures)) {
             work.emplace_back(model.get(), kind);
         }
     }

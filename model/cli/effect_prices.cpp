@@ -35,6 +35,9 @@ FpgaPoint read_point(const JsonNode& node) {
     out.clocks_mhz = node.numbers("clock_mhz_seeds");
     if (out.fits == out.clocks_mhz.empty()) node.fail("clock_mhz_seeds", "clocks where the unit fits, else none");
     if (std::count(out.clocks_mhz.begin(), out.clocks_mhz.end(), 0.0) > 0) node.fail("clock_mhz_seeds", "above 0");
+    if (node.has("unrouted_seeds")) {
+        for (const double seed : node.numbers("unrouted_seeds")) out.unrouted_seeds.push_back(static_cast<int>(seed));
+    }
     out.latency = node.integer("latency", 1, most);
     out.interval = node.integer("interval", 1, most);
     out.hash = node.word("hash");

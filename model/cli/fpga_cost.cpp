@@ -27,16 +27,17 @@ std::vector<int> parse_seeds(const std::string& text) {
 /// The devices of a list that a router is there for. Of the others a line says that they are left out.
 std::vector<const Device*> usable_devices(Flow& flow, const std::string& text) {
     std::vector<const Device*> out;
-    std::string left_out;
+    std::string left_out;  // devices of one family, whose router is not there
     for (const std::string& name : split_list(text)) {
         const Device& device = find_device(name);
         const std::string router(device.family->router);
         if (router != "nextpnr-ecp5" || flow.has(router)) {
             out.push_back(&device);
         } else {
-            left_out = fmt::format("{}: {} is not there; scripts/ecp5.sh puts one into build/venv", name, router);
+            left_out += (left_out.empty() ? "" : ",") + name;
         }
     }
+    if (!left_out.empty()) left_out += ": nextpnr-ecp5 is not there; scripts/ecp5.sh puts one into build/venv";
     if (out.empty()) throw Error(left_out);
     if (!left_out.empty()) fmt::print(stderr, "left out: {}\n", left_out);
     return out;

@@ -10,6 +10,7 @@
 #include "glint/effect.hpp"
 #include "glint/error.hpp"
 #include "glint/lobes.hpp"
+#include "process.hpp"
 
 using namespace glint;
 using namespace glint::cli;
@@ -262,4 +263,28 @@ TEST_CASE("the table is the best of its size, and its model and its memory agree
         flow.count_clocks(with_dependencies(rtl, unit), lobe_unit("glint_table_p8", profile, 1), burst);
     CHECK(clocks.latency == 3);
     CHECK(clocks.interval == 1);
+}
+
+TEST_CASE("A program that does not end is stopped after its processor time, one that ends is not") {
+    const TemporaryFolder folder;
+    const std::filesystem::path shell = find_on_path("sh").value();
+    const std::filesystem::path log = folder.path() / "log";
+    CHECK(run_program(shell, {"-c", "while :; do :; done"}, folder.path(), log, 1) == out_of_time);
+    CHECK(run_program(shell, {"-c", "exit 3"}, folder.path(), log, 1) == 3);
+}
+
+TEST_CASE("A seed that is not routed is named in the file and counts in no median") {
+    FpgaPoint point;
+    point.lobe = "bps";
+    point.profile = "p8";
+    point.architecture = "restoring";
+    point.device = "hx8k";
+    point.routed = point.fits = true;
+    point.clocks_mhz = {80.0, 90.0};
+    point.unrouted_seeds = {3};
+    point.latency = point.interval = 1;
+    CHECK(point.clock_mhz() == 85.0);
+    const std::string file = merged({}, PriceFile::lobes, {}, {point});
+    CHECK(file.find("\"unrouted_seeds\":[3]") != std::string::npos);
+    CHECK(points_table({point}, PriceFile::lobes).find("seed 3 is not routed") != std::string::npos);
 }
