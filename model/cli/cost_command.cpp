@@ -12,14 +12,14 @@ namespace glint::cli {
 namespace {
 
 struct Options {
-    bool fpga = false, accuracy = false, grid = false;
+    bool fpga = false, check = false, accuracy = false, grid = false;
     /// Where they are empty, what they do not name is each part's own default.
     std::string lobe, effect, mask, profile, device, json;
     unsigned jobs = 1, threads = 0;
     CostTableOptions table;
     FpgaOptions on_fpga;
     GridOptions word_lengths;
-    std::vector<CLI::Option*> of_table, of_fpga, of_grid;  ///< of_table: the last is --data
+    std::vector<CLI::Option*> units, of_table, of_fpga, of_grid;  ///< of_table: the last is --data
 };
 
 /// Options of another part are not passed over in silence.
@@ -34,12 +34,19 @@ void set(std::string& value, const std::string& given) {
 }
 
 int run_cost(Options options, const std::string& command) {
-    if (options.fpga + options.accuracy + options.grid > 1) {
-        throw Error("--fpga, --accuracy and --grid are not legal together: one of them");
+    if (options.fpga + options.check + options.accuracy + options.grid > 1) {
+        throw Error("--fpga, --check, --accuracy and --grid are not legal together: one of them");
     }
     refuse(options.of_fpga, options.fpga, "with --fpga");
     refuse(options.of_grid, options.grid, "with --grid");
-    refuse(options.of_table, !options.fpga && !options.accuracy && !options.grid, "of the table");
+    refuse(options.of_table, !options.fpga && !options.check && !options.accuracy && !options.grid, "of the table");
+    if (options.check) {
+        refuse(options.units, false, "of what is measured or shown, and --check takes a whole file");
+        FpgaOptions& fpga = options.on_fpga;
+        fpga.json = options.json;
+        fpga.jobs = options.jobs;
+        return run_price_check(fpga);
+    }
     if ((options.accuracy || options.grid) && !(options.effect + options.mask).empty()) {
         throw Error("--effect and --mask are not legal here: they are of --fpga and of the table");
     }
@@ -90,13 +97,16 @@ void add_cost(CLI::App& app, Chosen& chosen) {
     auto o = std::make_shared<Options>();
     CLI::App* command = app.add_subcommand("cost", "What accuracy costs: errors beside cells, clocks and latency");
     command->add_flag("--fpga", o->fpga, "Price units instead: synthesize, place and route (docs/cost.md)");
+    command->add_flag("--check", o->check, "Tell instead whether prices are of this Verilog (--json: the file)");
     command->add_flag("--accuracy", o->accuracy, "Measure errors over all inputs instead");
     command->add_flag("--grid", o->grid, "Find the shortest word lengths that will do instead");
-    command->add_option("--lobe", o->lobe, "Lobes, or all; with --fpga also table: a rival, c^n in block RAM");
-    command->add_option("--effect", o->effect, "Effects instead of lobes, or all (made of --lobe; default bps)");
-    command->add_option("--mask", o->mask, "Of the effect shade: values of MASK; default: a list (docs/cost.md)");
-    command->add_option("--profile", o->profile, "Profiles: p8, p12, p16 or the lobe's F,..,O");
-    command->add_option("--device", o->device, "hx8k (default), up5k, ecp5-25k, ecp5-85k, xc7; table: all");
+    o->units = {
+        command->add_option("--lobe", o->lobe, "Lobes, or all; with --fpga also table: a rival, c^n in block RAM"),
+        command->add_option("--effect", o->effect, "Effects instead of lobes, or all (made of --lobe; default bps)"),
+        command->add_option("--mask", o->mask, "Of the effect shade: values of MASK; default: a list (docs/cost.md)"),
+        command->add_option("--profile", o->profile, "Profiles: p8, p12, p16 or the lobe's F,..,O"),
+        command->add_option("--device", o->device, "hx8k (default), up5k, ecp5-25k, ecp5-85k, xc7; table: all"),
+    };
     command->add_option("--json", o->json, "Write the table as JSON; merge what is measured into this file");
     CostTableOptions& table = o->table;
     o->of_table = {

@@ -91,13 +91,10 @@ FpgaPoint price(Flow& flow, const Request& request, const std::vector<Source>& s
     out.resources = {all.luts - around.luts, all.registers - around.registers, all.carries - around.carries,
                      all.dsps - around.dsps, all.brams - around.brams};
 
-    std::string key = whole.key();
-    for (const std::string& argument : device.arguments) key += " " + argument;
     out.routed = !device.family->router.empty();
     out.fits = out.routed;
     for (const int seed : out.routed ? seeds : std::vector<int>()) {
         const Routing routing = whole.route(seed);
-        key += fmt::format(" {}", seed);
         if (!routing.fits) {
             out.fits = false;
             out.why = routing.why;
@@ -116,7 +113,7 @@ FpgaPoint price(Flow& flow, const Request& request, const std::vector<Source>& s
         out.fits = false;
         out.why = fmt::format("no seed is routed in {} s of processor time", router_cpu_seconds);
     }
-    out.hash = hash(key);
+    out.hash = price_hash(with_harness, device, request.dsp);
     return out;
 }
 
@@ -144,7 +141,36 @@ void measure(const FpgaOptions& options) {
     fmt::print("{}", points_table(points, file));
 }
 
+/// Whether the price is one of the Verilog in the folder `rtl`.
+bool is_current(const FpgaPoint& point, Flow& flow, const std::string& rtl) {
+    FpgaOptions options;
+    options.effect = point.effect;
+    if (!point.lobe.empty()) options.lobe = point.lobe;
+    if (point.mask) options.mask = std::to_string(*point.mask);
+    options.profile = point.profile;
+    options.architecture = point.architecture;
+    const PricedUnit priced = priced_units(options, flow).front();
+    std::vector<Source> sources = with_dependencies(rtl, priced.files);
+    sources.push_back({"glint_harness.v", harness(priced.unit)});
+    return price_hash(sources, find_device(point.device), point.dsp) == point.hash;
+}
+
 }  // namespace
+
+int run_price_check(const FpgaOptions& options) {
+    const std::string path = options.json.empty() ? "cost/fpga.json" : options.json;
+    const std::vector<FpgaPoint> points = named_points(path);
+    Flow flow(options.cache);
+    std::vector<char> current(points.size());
+    parallel_tasks(points.size(), options.jobs, progress_bar("check"),
+                   [&] { return [&](std::size_t i) { current[i] = is_current(points[i], flow, options.rtl); }; });
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        if (!current[i]) fmt::print("of other Verilog: {}\n", name_of(points[i]));
+    }
+    const auto stale = std::count(current.begin(), current.end(), 0);
+    fmt::print("{}: {} prices, {} of other Verilog or options\n", path, points.size(), stale);
+    return stale == 0 ? success : check_failed;
+}
 
 int run_fpga(const FpgaOptions& options) {
     try {

@@ -28,4 +28,8 @@ struct FpgaOptions {
 /// Throws Error.
 int run_fpga(const FpgaOptions& options);
 
+/// Says which prices in the file `json` (empty: cost/fpga.json) are not of the Verilog in `rtl` and of what the tools
+/// are told today, by their hashes. Runs no tool. The exit status: check_failed when there is one. Throws Error.
+int run_price_check(const FpgaOptions& options);
+
 }  // namespace glint::cli

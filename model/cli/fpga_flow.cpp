@@ -116,6 +116,30 @@ std::vector<std::string> verilog(const std::vector<Source>& sources) {
     return out;
 }
 
+/// Without what follows `//` in a line, and with one blank for every stretch of blanks and ends of lines.
+std::string without_layout(std::string_view text) {
+    std::string out;
+    bool comment = false;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const char c = text[i];
+        comment = (comment || text.substr(i, 2) == "//") && c != '\n';
+        if (comment) continue;
+        if (c != ' ' && c != '\n') {
+            out += c;
+        } else if (!out.ends_with(' ')) {
+            out += ' ';
+        }
+    }
+    return out;
+}
+
+std::string yosys_script(const std::vector<Source>& sources, const Device& device, bool dsp) {
+    const std::string_view option = dsp ? device.family->dsp_on : device.family->dsp_off;
+    return fmt::format(
+        "read_verilog {}; {}{}{} -top glint_harness; write_json netlist.json; tee -q -o stat.json stat -json",
+        fmt::join(verilog(sources), " "), device.family->synthesis, option.empty() ? "" : " ", option);
+}
+
 /// " n_i 7, cos_i -3"
 std::string to_text(const Exchange& exchange, const Unit& unit) {
     std::string out;
@@ -172,6 +196,11 @@ std::string hash(std::string_view text) {
     return fmt::format("{:016x}", out);
 }
 
+std::string price_hash(const std::vector<Source>& sources, const Device& device, bool dsp) {
+    const std::string script = yosys_script(sources, device, dsp);
+    return hash(fmt::format("{}{} {}", without_layout(joined(sources)), script, fmt::join(device.arguments, " ")));
+}
+
 Flow::Flow(fs::path cache) : cache_(fs::absolute(cache)) { make_folder(cache_); }
 
 const std::optional<Flow::Tool>& Flow::find_tool(const std::string& name) {
@@ -225,10 +254,7 @@ Json Flow::cached(const std::string& key, const std::function<Json()>& find) {
 
 Flow::Netlist::Netlist(Flow& flow, std::vector<Source> sources, const Device& device, bool dsp)
     : flow_(flow), sources_(std::move(sources)), device_(device) {
-    const std::string_view option = dsp ? device.family->dsp_on : device.family->dsp_off;
-    script_ = fmt::format(
-        "read_verilog {}; {}{}{} -top glint_harness; write_json netlist.json; tee -q -o stat.json stat -json",
-        fmt::join(verilog(sources_), " "), device.family->synthesis, option.empty() ? "" : " ", option);
+    script_ = yosys_script(sources_, device, dsp);
     key_ = joined(sources_) + script_;
 }
 

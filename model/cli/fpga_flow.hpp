@@ -38,6 +38,10 @@ std::vector<Source> with_dependencies(const std::filesystem::path& rtl, const st
 /// 64 bits (FNV-1a) in hexadecimal.
 std::string hash(std::string_view text);
 
+/// The hash of what decides a price, but for seeds and the versions of the tools: the sources of a design, apart from
+/// comments and layout, and what the tools are told to do with them.
+std::string price_hash(const std::vector<Source>& sources, const Device& device, bool dsp);
+
 /// A router that takes and gives back the same wires for ever is stopped after so much processor time, many times what
 /// one that comes to an end takes.
 constexpr unsigned router_cpu_seconds = 300;
@@ -74,8 +78,6 @@ public:
         /// Throws ToolFailure, as the next.
         Resources resources();
         Routing route(int seed);
-        /// What decides the results, but for the versions of the tools.
-        const std::string& key() const { return key_; }
 
     private:
         void synthesize();

@@ -133,6 +133,37 @@ std::string merged(const std::filesystem::path& path, PriceFile file, const Tool
     return out + "\n]\n}\n";
 }
 
+std::vector<FpgaPoint> named_points(const std::filesystem::path& path) {
+    const Json prices = Json::parse(read_file(path), nullptr, false);
+    try {
+        const bool of_lobes = prices.at("format") == format_of(PriceFile::lobes);
+        if (!of_lobes && prices.at("format") != format_of(PriceFile::effects)) throw Error("another format");
+        std::vector<FpgaPoint> out;
+        for (const Json& point : prices.at("points")) {
+            FpgaPoint named;
+            if (!of_lobes) named.effect = point.at("effect");
+            if (point.contains("mask")) named.mask = point["mask"].get<int>();
+            named.lobe = of_lobes ? point.at("lobe").get<std::string>() : point.value("lobe", "");
+            named.profile = point.at("profile");
+            if (of_lobes) named.architecture = point.at("architecture");
+            named.device = point.at("device");
+            named.dsp = point.at("dsp");
+            named.hash = point.at("hash");
+            out.push_back(std::move(named));
+        }
+        return out;
+    } catch (const std::exception&) {
+        throw Error(fmt::format("file '{}' is not of the format {} or {}", path.string(), format_of(PriceFile::lobes),
+                                format_of(PriceFile::effects)));
+    }
+}
+
+std::string name_of(const FpgaPoint& point) {
+    const PriceFile file = point.effect.empty() ? PriceFile::lobes : PriceFile::effects;
+    return fmt::format("{} {}{}", fmt::join(names_of(point, file), " "), point.device,
+                       find_device(point.device).has_dsps && !point.dsp ? " no DSPs" : "");
+}
+
 std::string points_table(const std::vector<FpgaPoint>& points, PriceFile file) {
     std::vector<std::vector<std::string>> rows;
     if (file == PriceFile::lobes) {

@@ -33,7 +33,7 @@ struct FpgaPoint {
     int latency = 0;                  ///< clocks
     int interval = 0;                 ///< clocks between two results
     nlohmann::ordered_json error;     ///< of a rival: against c^n; null for the lobes
-    std::string hash;                 ///< of the sources, the options and the seeds
+    std::string hash;                 ///< price_hash of fpga_flow.hpp
 
     double clock_mhz() const;  ///< the median; 0 when there is none
     double latency_ns() const;
@@ -54,6 +54,13 @@ std::string_view format_of(PriceFile file);
 /// of a tool.
 std::string merged(const std::filesystem::path& path, PriceFile file, const ToolVersions& tools,
                    const std::vector<FpgaPoint>& points);
+
+/// What the points of a file are called, and their hashes; nothing else of a point is filled in. Throws Error: there is
+/// no such file, or it is of neither format.
+std::vector<FpgaPoint> named_points(const std::filesystem::path& path);
+
+/// "bps p12 restoring hx8k", "shade 10 bps p12 xc7 no DSPs"
+std::string name_of(const FpgaPoint& point);
 
 /// One line a point.
 std::string points_table(const std::vector<FpgaPoint>& points, PriceFile file);

@@ -50,6 +50,10 @@ class Refusals(Cost):
             ("'18,12' is not legal for table", ["--fpga", "--lobe", "table", "--profile", "18,12"]),
             ("folder 'nowhere' has no glint_bps.v", ["--fpga", "--rtl", "nowhere"]),
             ("'missing/x.json' cannot be written", ["--fpga", "--json", "missing/x.json"]),
+            ("--check, --accuracy and --grid are not legal together", ["--fpga", "--check"]),
+            ("--lobe is not legal here: .* --check takes a whole file", ["--check", "--lobe", "bps"]),
+            ("--seeds is not legal here", ["--check", "--seeds", "1"]),
+            ("'cost/fpga.json' cannot be read", ["--check"]),
             ("--jobs '-1' is not legal", ["--fpga", "--jobs", "-1"]),
             ("effect 'shiny'", ["--fpga", "--effect", "lambert,shiny"]),
             ("lobe 'bps,cayley'", ["--fpga", "--effect", "phong", "--lobe", "bps,cayley"]),
@@ -184,15 +188,25 @@ class Cache(Cost):
 
         rtl = self.folder / "rtl"
         shutil.copytree(ROOT / "rtl", rtl)
-        with (rtl / "glint_quadratic.v").open("a") as file:
-            file.write("// changed\n")
+        check = ["cost", "--check", "--json", "x.json", "--cache", "cache"]
+        unit = rtl / "glint_quadratic.v"
+        unit.write_text("//  said\n" + unit.read_text())
         self.cost(*small, "--rtl", "rtl", env=environment)
         self.equal(len(self.calls()), 1, "the unit alone")
+        self.equal(self.read("x.json"), prices, "a comment has no price")
+        self.equal(self.good(*check, "--rtl", "rtl"), "x.json: 1 prices, 0 of other Verilog or options\n")
+
+        unit.write_text(unit.read_text().replace("endmodule", "    localparam CHANGED = 1;\nendmodule"))
+        done = self.run_tool(*check, "--rtl", "rtl")
+        self.equal((done.returncode, done.stdout), (1, "of other Verilog: quadratic p8 pipelined xc7\n"
+                                                       "x.json: 1 prices, 1 of other Verilog or options\n"), done.stderr)
+        self.cost(*small, "--rtl", "rtl", env=environment)
         changed = json.loads(self.read("x.json"))["points"]
         was = json.loads(prices)["points"]
         self.equal(len(changed), 1)
         self.true(changed[0]["hash"] != was[0]["hash"], "another hash")
         self.equal({**changed[0], "hash": 0}, {**was[0], "hash": 0})
+        self.good(*check, "--rtl", "rtl")
 
 
 class Failures(Cost):
@@ -212,6 +226,13 @@ class Failures(Cost):
 
 
 class Committed(Cost):
+    def test_all_are_of_this_verilog(self):
+        for file in ("fpga", "effects"):
+            path = ROOT / "cost" / f"{file}.json"
+            count = len(json.loads(path.read_text())["points"])
+            said = self.good("cost", "--check", "--json", path, *RTL, "--cache", "cache", "--jobs", "0")
+            self.equal(said, f"{path}: {count} prices, 0 of other Verilog or options\n")
+
     def median(self, price):
         seeds = sorted(price["clock_mhz_seeds"])
         if seeds:
