@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "cost_table.hpp"
+#include "fpga_device.hpp"
 
 namespace glint::cli {
 namespace {
@@ -44,11 +45,15 @@ std::string front_table(const CostReport& cost, const std::string& device) {
     sort_by(all, Metric::error);
     const std::vector<bool> beaten = dominated(all, common_axes);
     std::vector<std::vector<Cell>> rows;
+    bool with_dsps = false;
     for (std::size_t i = 0; i < all.size(); ++i) {
-        if (!beaten[i]) rows.push_back(row(all[i]));
+        if (beaten[i]) continue;
+        rows.push_back(row(all[i]));
+        with_dsps |= all[i].clock_mhz && all[i].dsps > 0;
     }
+    const std::string note = with_dsps ? dsp_clock_notes({device}) : "";
     return fmt::format("<h3>{}</h3>\n<p>{} of {} configurations:</p>\n", escaped(device), rows.size(), all.size()) +
-           table_html(rows);
+           table_html(rows) + (note.empty() ? "" : fmt::format("<p>{}</p>\n", escaped(note)));
 }
 
 }  // namespace

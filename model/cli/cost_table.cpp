@@ -1,6 +1,7 @@
 #include "cost_table.hpp"
 
 #include <algorithm>
+#include <set>
 #include <sstream>
 
 #include <fmt/format.h>
@@ -8,6 +9,7 @@
 
 #include "common.hpp"
 #include "cost_plots.hpp"
+#include "fpga_device.hpp"
 #include "glint/error.hpp"
 
 namespace glint::cli {
@@ -146,14 +148,16 @@ std::string configurations_table(const std::vector<Configuration>& all, const st
     std::vector<std::vector<std::string>> rows{{"lobe", "profile", "architecture", "device", "DSP"}};
     for (const Column& column : columns) rows[0].emplace_back(column.heading);
     if (!marks.empty()) rows[0].emplace_back();
+    std::set<std::string> with_dsps;
     for (std::size_t i = 0; i < all.size(); ++i) {
         const Configuration& c = all[i];
+        if (c.clock_mhz && c.dsps > 0) with_dsps.insert(c.device);
         std::vector<std::string> row{c.lobe, c.profile, c.architecture, c.device, c.dsp ? "yes" : "no"};
         for (const Column& column : columns) row.push_back(shown(c, column.metric));
         if (!marks.empty()) row.push_back(marks[i]);
         rows.push_back(std::move(row));
     }
-    return table(rows);
+    return table(rows) + dsp_clock_notes(with_dsps);
 }
 
 int run_cost_table(const CostTableOptions& options, const std::string& command) {

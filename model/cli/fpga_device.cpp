@@ -10,7 +10,7 @@
 namespace glint::cli {
 namespace {
 
-constexpr Family ice40{"synth_ice40", "-dsp", "", "nextpnr-ice40", "ICESTORM_LC"};
+constexpr Family ice40{"synth_ice40", "-dsp", "", "nextpnr-ice40", "ICESTORM_LC", false};
 constexpr Family ecp5{"synth_ecp5", "", "-nodsp", "nextpnr-ecp5", "TRELLIS_COMB"};
 constexpr Family xc7{"synth_xilinx -flatten", "", "-nodsp", "", ""};
 
@@ -71,6 +71,16 @@ std::span<const Device> devices() {
         {"xc7", "Xilinx 7 series", &xc7, {}, 0, 0, 0, true},
     }};
     return all;
+}
+
+std::string dsp_clock_notes(const std::set<std::string>& names) {
+    std::string out;
+    for (const Device& device : devices()) {
+        if (!device.has_dsps || device.family->times_dsps || !names.contains(std::string(device.name))) continue;
+        out += fmt::format("{}: {} counts no time inside a DSP: the clocks of units with DSPs are upper bounds\n",
+                           device.name, device.family->router);
+    }
+    return out;
 }
 
 const Device& find_device(std::string_view name) {

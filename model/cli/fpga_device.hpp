@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <set>
 #include <span>
 #include <string>
 #include <string_view>
@@ -26,6 +27,7 @@ struct Family {
     std::string_view dsp_off;
     std::string_view router;  ///< "nextpnr-ice40"; empty: resources alone
     std::string_view cell;    ///< nextpnr's name for the cell of a LUT and a register, e.g. "ICESTORM_LC"
+    bool times_dsps = true;   ///< the router knows how long a DSP takes
 };
 
 struct Device {
@@ -44,6 +46,10 @@ std::span<const Device> devices();
 
 /// Throws Error with the list of the known devices.
 const Device& find_device(std::string_view name);
+
+/// A line for each of these devices whose router does not know how long a DSP takes: what that means for the clocks of
+/// units with DSPs. Names that are not known are passed over.
+std::string dsp_clock_notes(const std::set<std::string>& devices);
 
 /// The resources in a netlist, from the number of its cells of each type. Pads, clock buffers and wide multiplexers
 /// between LUTs are free. Throws Error for a type that has no price, lest it pass unseen.

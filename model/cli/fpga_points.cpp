@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <tuple>
 
 #include <fmt/format.h>
@@ -176,6 +177,7 @@ std::string points_table(const std::vector<FpgaPoint>& points, PriceFile file) {
         rows[0].emplace_back(heading);
     }
     std::string notes;
+    std::set<std::string> with_dsps;
     for (const FpgaPoint& point : points) {
         const bool clock = !point.clocks_mhz.empty();
         std::string mhz = clock ? fmt::format("{:.1f}", point.clock_mhz()) : point.routed ? "does not fit" : "-";
@@ -198,8 +200,9 @@ std::string points_table(const std::vector<FpgaPoint>& points, PriceFile file) {
                 fmt::format("{}: seed {} is not routed in {} s of processor time\n", what, seed, router_cpu_seconds);
         }
         if (point.harness_limits) notes += fmt::format("{}*: the critical path is in the harness\n", what);
+        if (clock && point.resources.dsps > 0) with_dsps.insert(point.device);
     }
-    return table(rows) + notes;
+    return table(rows) + notes + dsp_clock_notes(with_dsps);
 }
 
 }  // namespace glint::cli

@@ -7,8 +7,10 @@ Exit status: 0 if every check held, 77 if the tools here are not those of the co
 """
 
 import argparse
+import itertools
 import json
 import os
+import re
 import shutil
 import sys
 import unittest
@@ -17,6 +19,7 @@ from case import Case, OPTIONS, ROOT
 
 SMALL = ["--lobe", "quadratic", "--profile", "p8"]
 RTL = ["--rtl", ROOT / "rtl"]
+DEVICES = ("hx8k", "up5k", "ecp5-25k", "xc7")
 
 
 class Cost(Case):
@@ -264,6 +267,21 @@ class Committed(Cost):
         for price in points.values():
             self.median(price)
         return committed, points
+
+    def test_every_lobe_profile_and_architecture_is_there(self):
+        points = json.loads((ROOT / "cost" / "fpga.json").read_text())["points"]
+        there = {(p["lobe"], p["profile"], p["architecture"], p["device"]) for p in points}
+        lobes = re.findall(r"^GLINT_LOBE\((\w+)\)$", (ROOT / "model/include/glint/lobes.def").read_text(), re.M)
+        for lobe in lobes:
+            divides = "parameter DIVIDER" in (ROOT / "rtl" / f"glint_{lobe}.v").read_text()
+            architectures = ("restoring", "radix4", "iterative", "reciprocal") if divides else ("pipelined",)
+            for point in itertools.product([lobe], ("p8", "p12", "p16"), architectures, DEVICES):
+                self.true(point in there, f"no price of {' '.join(point)} in cost/fpga.json")
+
+    def test_clocks_that_are_bounds_are_named(self):
+        bound = "up5k: nextpnr-ice40 counts no time inside a DSP"
+        for device, named in (("up5k", True), ("hx8k", False), ("ecp5-25k", False)):
+            self.equal(bound in self.good("cost", "--data", ROOT / "cost", "--device", device), named, device)
 
     def test_prices_are_those_of_the_verilog(self):
         names = ("lobe", "profile", "architecture", "device", "dsp")

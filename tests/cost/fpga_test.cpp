@@ -109,6 +109,28 @@ TEST_CASE("a unit larger than its device does not fit, and it says what is too l
     CHECK(found.why.find("of 5280 ICESTORM_LC") != std::string::npos);
 }
 
+TEST_CASE("DSPs without registers have no clock of their own, and a line says what no clock holds") {
+    const TemporaryFolder folder;
+    Flow flow(folder.path());
+    const Unit unit{"two_products", "", {{"x_i", 48}}, {{"y_o", 32}}};
+    const Source source{"two_products.v",
+                        R"(module two_products (input wire clk_i, input wire [47:0] x_i, output wire [31:0] y_o);
+    wire [15:0] a = x_i[15:0] ^ x_i[31:16];
+    wire [15:0] b = x_i[31:16] ^ x_i[47:32];
+    wire [31:0] first  = a * b;
+    wire [31:0] second = first[15:0] * b;
+    assign y_o = second ^ {x_i[15:0], x_i[47:32]};
+endmodule
+)"};
+    Flow::Netlist netlist(flow, {source, {"glint_harness.v", harness(unit)}}, find_device("up5k"), true);
+    CHECK(netlist.resources().dsps == 2);
+    const Routing found = netlist.route(1);
+    CHECK(found.routed);
+    CHECK(found.clock_mhz > 0.0);
+    const std::string notes = dsp_clock_notes({"hx8k", "up5k", "ecp5-25k", "xc7", "another"});
+    CHECK(notes == "up5k: nextpnr-ice40 counts no time inside a DSP: the clocks of units with DSPs are upper bounds\n");
+}
+
 TEST_CASE("latency and interval come from a simulation whose results are right") {
     const TemporaryFolder folder;
     Flow flow(folder.path());
