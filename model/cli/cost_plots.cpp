@@ -84,9 +84,10 @@ std::string panel(const CostPlotData& data, const Axis& axis, const Theme& theme
     out += fmt::format("set xlabel '{}'\nset ylabel 'largest absolute error against c^n' offset 1\n", axis.label);
     out += "unset label\n";
     // Below and to the left of a point of the front there is no other. The first one's name has no room there.
+    const double name_height = std::pow(y_low / y_high, 0.045);  // as the ratio of two errors
     double named = HUGE_VAL;
     for (std::size_t i = 0; i < front.size(); ++i) {
-        if (front[i].error > 0.75 * named) continue;  // it would lie on the name before
+        if (front[i].error > name_height * named) continue;  // it would lie on the name before
         named = front[i].error;
         out += fmt::format("set label '{} {}' at {:g},{:g} {} font ',11' textcolor rgb '{}' front\n",
                            key_name(front[i].lobe), key_name(front[i].profile), *place(front[i], axis.metric),
