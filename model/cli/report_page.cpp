@@ -321,7 +321,9 @@ private:
     }
 
     std::vector<Cell> run_cells(const ResultFile& file, const RunResult& run) const {
-        std::vector<Cell> out{{"profile", run.lobe + " " + run.profile, Cell::name}, {"unit", run.unit, Cell::name}};
+        std::vector<Cell> out{{"profile", run.lobe + " " + run.profile, Cell::name},
+                              {"architecture", run.architecture.empty() ? "–" : escaped(run.architecture), Cell::name},
+                              {"unit", run.unit, Cell::name}};
         std::string test = run.test;
         if (run.hardware) {
             test += fmt::format("<small>stall probability {:g}, seed {}</small>", run.hardware->stall_probability,
