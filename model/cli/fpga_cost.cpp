@@ -7,6 +7,7 @@
 
 #include "common.hpp"
 #include "fpga_flow.hpp"
+#include "fpga_table.hpp"
 #include "fpga_units.hpp"
 #include "glint/error.hpp"
 
@@ -63,7 +64,7 @@ struct Request {
 std::vector<Request> requests(const FpgaOptions& options, Flow& flow) {
     const std::vector<const Device*> devices = usable_devices(flow, options.device);
     std::vector<Request> out;
-    for (PricedUnit& unit : priced_units(options, flow)) {
+    for (PricedUnit& unit : priced_units(options)) {
         const auto what = std::make_shared<const PricedUnit>(std::move(unit));
         for (const Device* device : devices) {
             for (const bool dsp : dsp_choices(*device, options.dsp)) out.push_back({what, device, dsp});
@@ -78,6 +79,10 @@ FpgaPoint price(Flow& flow, const Request& request, const std::vector<Source>& s
     FpgaPoint out = request.what->point;
     out.device = device.name;
     out.dsp = request.dsp;
+    if (const GoldenModel* rival = request.what->rival.get()) {
+        const std::vector<Source>& files = request.what->files;
+        out.error = flow.cached("error" + files.front().text + files.back().text, [&] { return table_error(*rival); });
+    }
     const Clocks clocks = flow.count_clocks(sources, unit, request.what->burst);
     out.latency = clocks.latency;
     out.interval = clocks.interval;
@@ -142,14 +147,14 @@ void measure(const FpgaOptions& options) {
 }
 
 /// Whether the price is one of the Verilog in the folder `rtl`.
-bool is_current(const FpgaPoint& point, Flow& flow, const std::string& rtl) {
+bool is_current(const FpgaPoint& point, const std::string& rtl) {
     FpgaOptions options;
     options.effect = point.effect;
     if (!point.lobe.empty()) options.lobe = point.lobe;
     if (point.mask) options.mask = std::to_string(*point.mask);
     options.profile = point.profile;
     options.architecture = point.architecture;
-    const PricedUnit priced = priced_units(options, flow).front();
+    const PricedUnit priced = priced_units(options).front();
     std::vector<Source> sources = with_dependencies(rtl, priced.files);
     sources.push_back({"glint_harness.v", harness(priced.unit)});
     return price_hash(sources, find_device(point.device), point.dsp) == point.hash;
@@ -160,10 +165,9 @@ bool is_current(const FpgaPoint& point, Flow& flow, const std::string& rtl) {
 int run_price_check(const FpgaOptions& options) {
     const std::string path = options.json.empty() ? "cost/fpga.json" : options.json;
     const std::vector<FpgaPoint> points = named_points(path);
-    Flow flow(options.cache);
     std::vector<char> current(points.size());
     parallel_tasks(points.size(), options.jobs, progress_bar("check"),
-                   [&] { return [&](std::size_t i) { current[i] = is_current(points[i], flow, options.rtl); }; });
+                   [&] { return [&](std::size_t i) { current[i] = is_current(points[i], options.rtl); }; });
     for (std::size_t i = 0; i < points.size(); ++i) {
         if (!current[i]) fmt::print("of other Verilog: {}\n", name_of(points[i]));
     }

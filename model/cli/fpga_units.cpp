@@ -121,18 +121,17 @@ std::vector<PricedUnit> lobes_of(const FpgaOptions& options, const std::string& 
     return out;
 }
 
-std::vector<PricedUnit> tables(const FpgaOptions& options, Flow& flow) {
+std::vector<PricedUnit> tables(const FpgaOptions& options) {
     std::vector<PricedUnit> out;
     for (const std::string& text : split_profiles(options.profile)) {
         const Profile profile = parse_profile(text);
         if (!profile.shipped())
             throw Error(fmt::format("profile '{}' is not legal for {}: p8, p12 or p16", text, rival));
         const TableFormat format = TableFormat::best(profile);
-        const std::unique_ptr<GoldenModel> model = table_model(profile, format);
+        const std::shared_ptr<const GoldenModel> model = table_model(profile, format);
         const std::vector<Source> files = table_unit(profile, format);
         out.push_back(lobe_unit_of(std::string(rival), *model, {"pipelined", {}}, files));
-        out.back().point.error =
-            flow.cached("error" + files.front().text + files.back().text, [&] { return table_error(*model); });
+        out.back().rival = model;
     }
     return out;
 }
@@ -260,7 +259,7 @@ std::vector<PricedUnit> effects_of(const FpgaOptions& options) {
 
 }  // namespace
 
-std::vector<PricedUnit> priced_units(const FpgaOptions& options, Flow& flow) {
+std::vector<PricedUnit> priced_units(const FpgaOptions& options) {
     if (!options.effect.empty()) return effects_of(options);
     if (!options.mask.empty()) throw Error("--mask is not legal here: it is a parameter of the effect shade");
     std::string lobes;
@@ -275,7 +274,7 @@ std::vector<PricedUnit> priced_units(const FpgaOptions& options, Flow& flow) {
     std::vector<PricedUnit> out;
     if (!lobes.empty() || !with_rival) out = lobes_of(options, lobes);
     if (with_rival) {
-        for (PricedUnit& unit : tables(options, flow)) out.push_back(std::move(unit));
+        for (PricedUnit& unit : tables(options)) out.push_back(std::move(unit));
     }
     return out;
 }

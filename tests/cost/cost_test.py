@@ -191,7 +191,7 @@ class Cache(Cost):
 
         rtl = self.folder / "rtl"
         shutil.copytree(ROOT / "rtl", rtl)
-        check = ["cost", "--check", "--json", "x.json", "--cache", "cache"]
+        check = ["cost", "--check", "--json", "x.json"]
         unit = rtl / "glint_quadratic.v"
         unit.write_text("//  said\n" + unit.read_text())
         self.cost(*small, "--rtl", "rtl", env=environment)
@@ -233,7 +233,7 @@ class Committed(Cost):
         for file in ("fpga", "effects"):
             path = ROOT / "cost" / f"{file}.json"
             count = len(json.loads(path.read_text())["points"])
-            said = self.good("cost", "--check", "--json", path, *RTL, "--cache", "cache", "--jobs", "0")
+            said = self.good("cost", "--check", "--json", path, *RTL)
             self.equal(said, f"{path}: {count} prices, 0 of other Verilog or options\n")
 
     def median(self, price):

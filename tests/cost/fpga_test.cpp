@@ -230,12 +230,10 @@ TEST_CASE("the file of effects' prices: one of shade a mask, one of a highlight 
 }
 
 TEST_CASE("units of effects: those they are made of beside them, MASK set, and results as by the mask") {
-    const TemporaryFolder folder;
-    Flow flow(folder.path());
     FpgaOptions options;
     options.effect = "shade";
     options.mask = "3,8";
-    const std::vector<PricedUnit> units = priced_units(options, flow);
+    const std::vector<PricedUnit> units = priced_units(options);
     REQUIRE(units.size() == 2);
     CHECK(units[0].unit.module == "glint_effect_shade_bps_p12");
     CHECK(units[0].unit.parameters == ".TAG_W(1), .MASK(3)");
@@ -261,7 +259,7 @@ TEST_CASE("units of effects: those they are made of beside them, MASK set, and r
     }
     CHECK(names.back() == "glint_effect_shade_bps_p12.v");
     options.mask = "256";
-    CHECK_THROWS_WITH(priced_units(options, flow), "--mask '256' is not legal: 0 to 255");
+    CHECK_THROWS_WITH(priced_units(options), "--mask '256' is not legal: 0 to 255");
 }
 
 TEST_CASE("the table is the best of its size, and its model and its memory agree") {
