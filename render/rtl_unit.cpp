@@ -4,15 +4,15 @@
 
 #include <fmt/format.h>
 
-#include "effect_unit.hpp"
 #include "glint/error.hpp"
+#include "unit.hpp"
 
 namespace glint::render {
 namespace {
 
 class SimulatedUnit final : public Unit {
 public:
-    SimulatedUnit(std::unique_ptr<testbench::EffectUnit> unit, std::string name)
+    SimulatedUnit(std::unique_ptr<testbench::Unit> unit, std::string name)
         : unit_(std::move(unit)), name_(std::move(name)) {}
 
     void run(std::span<const std::int32_t* const> in, std::span<std::int32_t* const> out,
@@ -38,9 +38,9 @@ public:
     std::uint64_t clocks() const override { return clocks_; }
 
 private:
-    std::unique_ptr<testbench::EffectUnit> unit_;
+    std::unique_ptr<testbench::Unit> unit_;
     std::string name_;
-    testbench::ColumnOutcome outcome_;
+    testbench::Outcome outcome_;
     std::uint64_t clocks_ = 0;
 };
 
@@ -56,9 +56,10 @@ std::string rtl_obstacle(const Plan& plan, const Profile& profile) {
 }
 
 std::unique_ptr<Unit> rtl_unit(const EffectModel& model, const std::string& lobe) {
-    const testbench::EffectUnitKind& kind = testbench::find_effect_unit(model.effect(), lobe, model.profile().name);
+    const testbench::UnitKind& kind = testbench::find_effect_unit(model.effect(), lobe, model.profile().name);
     constexpr std::uint64_t seed = 1;  // what registers hold at first must not matter
-    return std::make_unique<SimulatedUnit>(kind.fast(seed), fmt::format("{} {}", model.effect(), model.profile().name));
+    return std::make_unique<SimulatedUnit>(kind.make(testbench::input_widths(model), seed),
+                                           fmt::format("{} {}", model.effect(), model.profile().name));
 }
 
 }  // namespace glint::render

@@ -6,11 +6,10 @@
 #include <fmt/format.h>
 
 #include "common.hpp"
-#include "cosim.hpp"
-#include "effect_cosim.hpp"
+#include "effect_tests.hpp"
 #include "glint/error.hpp"
 #include "junit.hpp"
-#include "results.hpp"
+#include "lobe_tests.hpp"
 
 namespace {
 
@@ -52,15 +51,14 @@ std::vector<const UnitKind*> find_units(const GoldenModel& model, const std::vec
     std::string known;
     std::vector<const UnitKind*> out;
     for (const UnitKind& kind : unit_kinds()) {
-        if (kind.lobe != model.lobe()) continue;
-        known += fmt::format("{}{} {} {} {}", known.empty() ? "" : ", ", kind.lobe, kind.profile, kind.unit,
-                             kind.architecture);
+        if (!kind.effect.empty() || kind.lobe != model.lobe()) continue;
+        known += fmt::format("{}{}", known.empty() ? "" : ", ", kind.name());
     }
     const auto add = [&](const std::string& unit, const std::string& architecture) {
         const std::size_t before = out.size();
         for (const UnitKind& kind : unit_kinds()) {
-            if (kind.lobe == model.lobe() && kind.profile == model.profile().name && kind.unit == unit &&
-                (all || kind.architecture == architecture)) {
+            if (kind.effect.empty() && kind.lobe == model.lobe() && kind.profile == model.profile().name &&
+                kind.unit == unit && (all || kind.architecture == architecture)) {
                 out.push_back(&kind);
             }
         }
@@ -79,11 +77,10 @@ std::vector<const UnitKind*> find_units(const GoldenModel& model, const std::vec
     return out;
 }
 
-Request make_request(const Options& options, const GoldenModel& model) {
+Request make_request(const Options& options) {
     Request request;
-    request.n = parse_range(options.n, "--n", 1, max_n);
-    request.cos_code = parse_range(options.cos, "--cos", 0, model.profile().one());
     request.count = options.count;
+    if (options.exhaustive) request.test = Test::exhaustive;
     if (options.illegal) request.test = Test::illegal;
     if (options.resets > 0) {
         request.test = Test::reset;
@@ -96,19 +93,39 @@ Request make_request(const Options& options, const GoldenModel& model) {
     return request;
 }
 
-int summary(const std::vector<JUnitCase>& cases, std::uint64_t seed) {
-    const auto failed = static_cast<std::size_t>(
-        std::count_if(cases.begin(), cases.end(), [](const JUnitCase& c) { return !c.failure.empty(); }));
-    fmt::print("{} of {} runs passed, seed {}\n", cases.size() - failed, cases.size(), seed);
-    return failed == 0 ? cli::success : cli::check_failed;
-}
+/// What runs of either kind end with: files, a table, a line, the exit status.
+class Report {
+public:
+    explicit Report(const Options& options) : options_(options) {
+        cli::check_writable(options.json);
+        cli::check_writable(options.junit);
+    }
+
+    void add(const std::string& name, std::string_view test, double seconds, const std::string& complaint) {
+        cases_.push_back({fmt::format("{} {}", name, test), seconds, complaint});
+        if (!complaint.empty()) fmt::print(stderr, "{}: FAILED: {}", name, complaint);
+    }
+
+    int finish(const nlohmann::ordered_json& json, const std::string& table) const {
+        if (!options_.json.empty()) cli::write_file(options_.json, json.dump(1) + "\n");
+        if (!options_.junit.empty()) cli::write_file(options_.junit, to_junit("glint-cosim", cases_));
+        const auto failed = static_cast<std::size_t>(
+            std::count_if(cases_.begin(), cases_.end(), [](const JUnitCase& c) { return !c.failure.empty(); }));
+        fmt::print("{}{} of {} runs passed, seed {}\n", table, cases_.size() - failed, cases_.size(), options_.seed);
+        return failed == 0 ? cli::success : cli::check_failed;
+    }
+
+private:
+    const Options& options_;
+    std::vector<JUnitCase> cases_;
+};
 
 /// "ambient,tint", or "all": every effect that this build has a unit of.
 std::vector<const Effect*> split_effects(const std::string& text) {
     std::vector<const Effect*> out;
     if (text == "all") {
         for (const Effect& effect : effects()) {
-            const auto kinds = effect_unit_kinds();
+            const auto kinds = unit_kinds();
             const bool here =
                 std::any_of(kinds.begin(), kinds.end(), [&](const auto& k) { return k.effect == effect.name; });
             if (here) out.push_back(&effect);
@@ -129,80 +146,58 @@ std::vector<int> split_masks(const std::string& text) {
     return out;
 }
 
+// Both find everything before anything runs: a mistake in the last name must not cost the time of the first.
+
 int cosim_effects(const Options& options, const std::string& command) {
-    EffectRequest request;
-    request.count = options.count;
-    if (options.exhaustive) request.test = EffectTest::exhaustive;
-    if (options.illegal) request.test = EffectTest::illegal;
-    if (options.resets > 0) {
-        request.test = EffectTest::reset;
-        request.count = options.resets;
-    }
-    request.stall_probability = options.stall_probability;
-    request.seed = options.seed;
-    request.threads = options.threads;
-    request.trace_file = options.trace;
     struct Work {
         const Effect* effect;
         std::unique_ptr<EffectModel> model;
-        const EffectUnitKind* kind;
+        const UnitKind* kind;
     };
     std::vector<Work> work;
     for (const Effect* effect : split_effects(options.effect)) {
         for (const std::string& profile : cli::split_profiles(options.profile)) {
             for (const int mask : split_masks(options.mask)) {
                 auto model = effect->golden(parse_profile(profile), options.lobe);
-                const EffectUnitKind& kind = find_effect_unit(effect->name, options.lobe, model->profile().name, mask);
+                const UnitKind& kind = find_effect_unit(effect->name, options.lobe, model->profile().name, mask);
                 work.push_back({effect, std::move(model), &kind});
             }
         }
     }
     if (work.empty()) throw Error("--effect all: this build has no unit of any effect");
-    cli::check_writable(options.json);
-    cli::check_writable(options.junit);
+    Report report(options);
     std::vector<EffectRun> runs;
-    std::vector<JUnitCase> cases;
     for (const auto& [effect, model, kind] : work) {
-        const std::string mask = kind->mask < 0 ? "" : fmt::format(" MASK {}", kind->mask);
-        const std::string name = fmt::format("{}{}{} {}{}", effect->name, kind->lobe.empty() ? "" : " ", kind->lobe,
-                                             model->profile().name, mask);
-        runs.push_back(cosimulate_effect(*effect, *model, *kind, request, cli::progress_bar(name)));
-        const EffectRun& run = runs.back();
-        cases.push_back({fmt::format("{} {}", name, run.test), run.seconds, run.complaint});
-        if (!run.complaint.empty()) fmt::print(stderr, "{}: FAILED: {}", name, run.complaint);
+        const std::string name = kind->name();
+        runs.push_back(test_effect(*effect, *model, *kind, make_request(options), cli::progress_bar(name)));
+        report.add(name, runs.back().test, runs.back().seconds, runs.back().complaint);
     }
-    if (!options.json.empty()) cli::write_file(options.json, to_json(runs, command).dump(1) + "\n");
-    if (!options.junit.empty()) cli::write_file(options.junit, to_junit("glint-cosim", cases));
-    fmt::print("{}", effect_table(runs));
-    return summary(cases, options.seed);
+    return report.finish(to_json(runs, command), effect_table(runs));
 }
 
-int cosim(const Options& options, const std::string& command) {
-    // Find everything before anything runs: a mistake in the last name must not cost the time of the first.
+int cosim_lobes(const Options& options, const std::string& command) {
     const auto golden = cli::models(options.lobe, options.profile);
+    const auto architectures =
+        options.architecture.empty() ? std::vector<std::string>{} : cli::split_list(options.architecture);
     std::vector<std::pair<const GoldenModel*, const UnitKind*>> work;
     for (const auto& model : golden) {
-        const auto architectures =
-            options.architecture.empty() ? std::vector<std::string>{} : cli::split_list(options.architecture);
         for (const UnitKind* kind : find_units(*model, cli::split_list(options.unit), architectures)) {
             work.emplace_back(model.get(), kind);
         }
     }
-    cli::check_writable(options.json);
-    cli::check_writable(options.junit);
+    Report report(options);
     std::vector<cli::RunResult> runs;
-    std::vector<JUnitCase> cases;
     for (const auto& [model, kind] : work) {
-        const std::string name = fmt::format("{} {} {} {}", kind->lobe, kind->profile, kind->unit, kind->architecture);
-        CosimResult result = cosimulate(*model, *kind, make_request(options, *model), cli::progress_bar(name));
-        cases.push_back({fmt::format("{} {}", name, result.run.test), result.run.seconds, result.complaint});
-        if (!result.complaint.empty()) fmt::print(stderr, "{}: FAILED: {}", name, result.complaint);
-        runs.push_back(std::move(result.run));
+        const std::string name = kind->name();
+        Request request = make_request(options);
+        if (request.test == Test::exhaustive) request.test = Test::stream;  // of the whole grid
+        const Grid grid{parse_range(options.n, "--n", 1, max_n),
+                        parse_range(options.cos, "--cos", 0, model->profile().one())};
+        LobeRun run = test_lobe(*model, *kind, request, grid, cli::progress_bar(name));
+        report.add(name, run.result.test, run.result.seconds, run.complaint);
+        runs.push_back(std::move(run.result));
     }
-    if (!options.json.empty()) cli::write_file(options.json, cli::to_json(runs, "glint-cosim", command).dump(1) + "\n");
-    if (!options.junit.empty()) cli::write_file(options.junit, to_junit("glint-cosim", cases));
-    fmt::print("{}", cli::results_table(runs, true));
-    return summary(cases, options.seed);
+    return report.finish(cli::to_json(runs, "glint-cosim", command), cli::results_table(runs, true));
 }
 
 }  // namespace
@@ -253,6 +248,6 @@ int main(int argc, char** argv) {
             0) {
             throw Error("nothing to run: --exhaustive, --n and --cos, --count, --illegal or --resets");
         }
-        return options.effect.empty() ? cosim(options, command) : cosim_effects(options, command);
+        return options.effect.empty() ? cosim_lobes(options, command) : cosim_effects(options, command);
     });
 }

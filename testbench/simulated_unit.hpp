@@ -1,174 +1,65 @@
-// A Verilated model as a Unit. `Pins` maps the stream onto the names of its ports, and bursts onto what they carry.
+// A Verilated model as a Unit. `Pins` maps the stream onto the names of its ports.
 #pragma once
 
 #include <verilated.h>
-#include <verilated_fst_c.h>
 
 #include <algorithm>
 #include <array>
-#include <type_traits>
 
 #include "glint/vectors.hpp"
 #include "unit.hpp"
 
+#ifdef GLINT_DRAWS
+#include <verilated_fst_c.h>
+#endif
+
 namespace glint::testbench {
 
-/// The names that all streams but AXI4-Stream share (docs/rtl.md).
-struct StreamPins {
-    static constexpr int reset_latency = 0;  ///< clocks until valid and ready have fallen
-
-    template <class Model>
-    static void clock(Model& m, bool level) {
-        m.clk_i = level;
-    }
-    template <class Model>
-    static void reset(Model& m, bool active) {
-        m.rst_ni = !active;
-    }
-    template <class Model>
-    static void input_valid(Model& m, bool valid) {
-        m.valid_i = valid;
-    }
-    template <class Model>
-    static bool input_ready(const Model& m) {
-        return m.ready_o;
-    }
-    template <class Model>
-    static bool output_valid(const Model& m) {
-        return m.valid_o;
-    }
-    template <class Model>
-    static void output_ready(Model& m, bool ready) {
-        m.ready_i = ready;
-    }
-    template <class Model>
-    static std::uint32_t output_tag(const Model& m) {
-        return m.tag_o;
-    }
-};
-
-/// What goes in and comes out of the unit of a lobe: n and cos in, one packed word out.
-struct LobeTraffic {
-    using Burst = testbench::Burst;
-    using Outcome = testbench::Outcome;
-    using Word = std::uint32_t;
-
-    static void prepare(Outcome& out, std::size_t count) { out.packed.resize(count); }
-    static void store(Outcome& out, std::size_t i, Word word) { out.packed[i] = word; }
-};
-
-/// Ports of the core: n_i, cos_i, tag_i, y_o, ...
-struct CorePins : StreamPins, LobeTraffic {
-    explicit CorePins(int F) : cos_mask(~0U >> (30 - F)) {}  // F + 2 bits
-    std::uint32_t cos_mask;
-    static constexpr std::uint32_t tag(std::uint32_t index) { return index & 0xffffU; }
-
-    template <class Model>
-    void input(Model& m, const Burst& burst, std::size_t i) const {
-        m.n_i = burst.n[i];
-        m.cos_i = static_cast<std::uint32_t>(burst.cos_code[i]) & cos_mask;
-        m.tag_i = static_cast<std::uint16_t>(burst.first_tag + i);
-    }
-    template <class Model>
-    static Word word(const Model& m) {
-        return static_cast<std::uint32_t>(m.y_o) | static_cast<std::uint32_t>(m.clamped_o) << 31;
-    }
-};
-
-/// The unit of an effect with `outputs` output ports; which ports those are, CMake reads from its Verilog.
-template <std::size_t outputs>
-struct EffectPins : StreamPins {
-    explicit EffectPins(int) {}
-    static constexpr std::uint32_t tag(std::uint32_t tag) { return tag; }
-
-    using Burst = ColumnBurst;
-    using Outcome = ColumnOutcome;
-    struct Word {
-        std::array<std::int32_t, outputs> values{};
-        bool clamped = false;
-        friend bool operator==(const Word&, const Word&) = default;
-    };
-
-    static void prepare(Outcome& out, std::size_t count) {
-        out.values.resize(outputs);
-        for (auto& column : out.values) column.resize(count);
-        out.clamped.resize(count);
-    }
-    static void store(Outcome& out, std::size_t i, const Word& word) {
-        for (std::size_t p = 0; p < outputs; ++p) out.values[p][i] = word.values[p];
-        out.clamped[i] = word.clamped;
-    }
-
-protected:
-    /// The low `bits` of a code.
-    template <int bits, class Pin>
-    static void set(Pin& pin, std::int32_t code) {
-        pin = static_cast<Pin>(static_cast<std::uint32_t>(code) & (~0U >> (32 - bits)));
-    }
-};
-
-/// Ports of the AXI4-Stream unit. tuser carries the index; tlast one bit of a mix of it, so that neither a stuck nor a
-/// shifted tlast goes unseen.
-struct AxisPins : LobeTraffic {
-    explicit AxisPins(int) {}
-    static constexpr int reset_latency = 1;  ///< every output is a register
-    static constexpr std::uint32_t last(std::uint32_t index) { return (index * 0x9e37'79b9U) >> 31; }
-    static constexpr std::uint32_t tag(std::uint32_t index) { return (index & 0xffffU) | last(index) << 16; }
-
-    template <class Model>
-    static void clock(Model& m, bool level) {
-        m.aclk = level;
-    }
-    template <class Model>
-    static void reset(Model& m, bool active) {
-        m.aresetn = !active;
-    }
-    template <class Model>
-    void input(Model& m, const Burst& burst, std::size_t i) const {
-        const auto index = static_cast<std::uint32_t>(burst.first_tag + i);
-        // The bits between the fields are ignored by contract: fill them with what would show if they were not.
-        const std::uint32_t low = burst.n[i] | (index * 0x85eb'ca6bU & ~0x3ffU);
-        m.s_axis_tdata = std::uint64_t{static_cast<std::uint32_t>(burst.cos_code[i])} << 32 | low;
-        m.s_axis_tuser = static_cast<std::uint16_t>(index);
-        m.s_axis_tlast = last(index) != 0;
-    }
-    template <class Model>
-    static void input_valid(Model& m, bool valid) {
-        m.s_axis_tvalid = valid;
-    }
-    template <class Model>
-    static bool input_ready(const Model& m) {
-        return m.s_axis_tready;
-    }
-    template <class Model>
-    static bool output_valid(const Model& m) {
-        return m.m_axis_tvalid;
-    }
-    template <class Model>
-    static void output_ready(Model& m, bool ready) {
-        m.m_axis_tready = ready;
-    }
-    template <class Model>
-    static Word word(const Model& m) {
-        return m.m_axis_tdata;
-    }
-    template <class Model>
-    static std::uint32_t output_tag(const Model& m) {
-        return m.m_axis_tuser | static_cast<std::uint32_t>(m.m_axis_tlast) << 16;
-    }
-};
-
-template <class Model, class Pins, bool traced>
-class SimulatedUnit final : public StreamUnit<typename Pins::Burst, typename Pins::Outcome> {
+/// What draws the clocks first..last of a burst; nothing does in a unit that is built for speed.
+class Waveform {
 public:
-    using Burst = typename Pins::Burst;
-    using Outcome = typename Pins::Outcome;
+#ifdef GLINT_DRAWS
+    static constexpr bool draws = true;
 
-    SimulatedUnit(int F, std::uint64_t seed) : pins_(F) {
+    template <class Model>
+    void open(Model& model, const std::string& file, std::uint64_t first, std::uint64_t last) {
+        fst_ = std::make_unique<VerilatedFstC>();
+        model.trace(fst_.get(), 99);
+        fst_->open(file.c_str());
+        first_ = first;
+        last_ = last;
+    }
+    void dump(std::uint64_t clock, std::uint64_t half) {
+        if (fst_ && clock >= first_ && clock <= last_) fst_->dump(2 * clock + half);
+    }
+    void close() {
+        if (fst_) fst_->close();
+        fst_.reset();
+    }
+
+private:
+    std::unique_ptr<VerilatedFstC> fst_;
+    std::uint64_t first_ = 0, last_ = 0;
+#else
+    static constexpr bool draws = false;
+
+    template <class Model>
+    void open(Model&, const std::string&, std::uint64_t, std::uint64_t) {}
+    void dump(std::uint64_t, std::uint64_t) {}
+    void close() {}
+#endif
+};
+
+template <class Model, class Pins>
+class SimulatedUnit final : public Unit {
+public:
+    /// `bits`: the widths of the inputs, 1 to 32.
+    SimulatedUnit(std::span<const int> bits, std::uint64_t seed) {
+        for (std::size_t p = 0; p < Pins::inputs; ++p) mask_[p] = ~0U >> (32 - bits[p]);
         // Registers start with random contents: what matters of them must come from reset.
         context_.randReset(2);
         context_.randSeed(static_cast<int>(seed & 0x7fff'ffff) | 1);
-        if constexpr (traced) context_.traceEverOn(true);
+        if constexpr (Waveform::draws) context_.traceEverOn(true);
         model_ = std::make_unique<Model>(&context_);
         Pins::input_valid(*model_, false);
         Pins::output_ready(*model_, false);
@@ -177,7 +68,7 @@ public:
     }
 
     ~SimulatedUnit() override {
-        if (waveform_) waveform_->close();
+        waveform_.close();
         model_->final();
     }
 
@@ -203,10 +94,7 @@ public:
             run_full_speed(burst, out);
         }
         Pins::input_valid(*model_, false);
-        if (waveform_) {
-            waveform_->close();
-            waveform_.reset();
-        }
+        waveform_.close();
     }
 
     std::string interrupt(const Burst& burst, std::uint64_t at, int length) override {
@@ -214,7 +102,7 @@ public:
         Pins::output_ready(*model_, true);
         Pins::input_valid(*model_, true);
         const auto drive = [&](std::uint64_t i) {
-            pins_.input(*model_, burst, i % burst.size());
+            drive_input(burst, i % burst.size());
             settle();
         };
         for (std::uint64_t i = 0; i < at; ++i) {
@@ -243,13 +131,7 @@ public:
     std::uint32_t expected_tag(std::uint32_t tag) const override { return Pins::tag(tag); }
 
     void trace(const std::string& file, std::uint64_t first, std::uint64_t last) override {
-        if constexpr (traced) {
-            waveform_ = std::make_unique<VerilatedFstC>();
-            model_->trace(waveform_.get(), 99);
-            waveform_->open(file.c_str());
-            trace_first_ = first;
-            trace_last_ = last;
-        }
+        waveform_.open(*model_, file, first, last);
     }
 
 private:
@@ -259,27 +141,48 @@ private:
     void settle() {
         Pins::clock(*model_, false);
         model_->eval();
-        dump(0);
+        waveform_.dump(clock_, 0);
     }
     void edge() {
         Pins::clock(*model_, true);
         model_->eval();
-        dump(1);
+        waveform_.dump(clock_, 1);
         ++clock_;
     }
-    void dump(std::uint64_t half) {
-        if constexpr (traced) {
-            if (waveform_ && clock_ >= trace_first_ && clock_ <= trace_last_) waveform_->dump(2 * clock_ + half);
-        }
+
+    void drive_input(const Burst& burst, std::size_t i) {
+        Pins::input(*model_, burst.inputs.data(), i, mask_.data(), burst.tags[i]);
     }
 
     static void prepare(const Burst& burst, Outcome& out) {
-        Pins::prepare(out, burst.size());
+        out.values.resize(Pins::outputs);
+        for (auto& column : out.values) column.resize(burst.size());
+        out.clamped.resize(burst.size());
         out.tags.resize(burst.size());
         out.results = 0;
         out.surplus = out.unstable = false;
         out.cycles = out.span = 0;
         out.latency = 0;
+    }
+
+    /// What the output shows.
+    struct Word {
+        std::array<std::int32_t, Pins::outputs> values;
+        bool clamped;
+        std::uint32_t tag;
+        friend bool operator==(const Word&, const Word&) = default;
+    };
+    Word word() const {
+        Word out;
+        Pins::output(*model_, out.values.data());
+        out.clamped = Pins::clamped(*model_);
+        out.tag = Pins::output_tag(*model_);
+        return out;
+    }
+    static void store(Outcome& out, std::size_t i, const Word& word) {
+        for (std::size_t p = 0; p < Pins::outputs; ++p) out.values[p][i] = word.values[p];
+        out.clamped[i] = word.clamped;
+        out.tags[i] = word.tag;
     }
 
     void run_full_speed(const Burst& burst, Outcome& out) {
@@ -294,7 +197,7 @@ private:
         for (std::uint64_t now = 0; now < limit; ++now) {
             const bool valid = sent < count;
             Pins::input_valid(model, valid);
-            if (valid) pins_.input(model, burst, sent);
+            if (valid) drive_input(burst, sent);
             settle();
             if (Pins::output_valid(model)) {
                 if (got == count) {
@@ -303,8 +206,7 @@ private:
                 }
                 if (got == 0) first_result = now;
                 last_result = now;
-                Pins::store(out, got, Pins::word(model));
-                out.tags[got] = Pins::output_tag(model);
+                store(out, got, word());
                 // After the last, look a little further for what should not come.
                 limit = now + 1 + (++got == count ? tail : silence);
             }
@@ -327,8 +229,7 @@ private:
         std::size_t got = 0;
         bool offered = false;  // an input was offered and not yet accepted: it has to stay
         bool waiting = false;  // a result had to wait: it has to stay
-        typename Pins::Word waiting_word{};
-        std::uint32_t waiting_tag = 0;
+        Word waiting_word{};
         int idle = 0;  // clocks since the last transfer in which both sides would have let one happen
         while (idle < (got == count ? tail : silence)) {
             const std::uint64_t draw = random.next();
@@ -336,22 +237,19 @@ private:
             const bool ready = static_cast<std::uint32_t>(draw >> 32) >= threshold;
             Pins::input_valid(model, valid);
             Pins::output_ready(model, ready);
-            if (valid) pins_.input(model, burst, sent);
+            if (valid) drive_input(burst, sent);
             settle();
             const bool out_valid = Pins::output_valid(model);
-            const typename Pins::Word word = Pins::word(model);
-            const std::uint32_t tag = Pins::output_tag(model);
-            if (waiting && (!out_valid || !(word == waiting_word) || tag != waiting_tag)) out.unstable = true;
+            const Word shown = word();
+            if (waiting && (!out_valid || !(shown == waiting_word))) out.unstable = true;
             waiting = out_valid && !ready;
-            waiting_word = word;
-            waiting_tag = tag;
+            waiting_word = shown;
             if (out_valid && ready) {
                 if (got == count) {
                     out.surplus = true;
                     break;
                 }
-                Pins::store(out, got, word);
-                out.tags[got] = tag;
+                store(out, got, shown);
                 out.clock[got] = clock_;
                 ++got;
                 out.cycles = clock_ + 1;
@@ -371,13 +269,11 @@ private:
 
     static constexpr int tail = 8;  ///< clocks to look on after the last result of a burst
 
-    Pins pins_;
+    std::array<std::uint32_t, Pins::inputs> mask_{};  // of the bits of each input
     VerilatedContext context_;
     std::unique_ptr<Model> model_;
-    std::unique_ptr<VerilatedFstC> waveform_;
+    Waveform waveform_;
     std::uint64_t clock_ = 0;
-    std::uint64_t trace_first_ = 0;
-    std::uint64_t trace_last_ = 0;
 };
 
 }  // namespace glint::testbench

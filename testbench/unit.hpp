@@ -1,4 +1,5 @@
-// A simulated stream unit, whatever its ports are called: what goes in, what comes out, and when.
+// A simulated stream unit, whatever its ports are called: what goes in, what comes out, and when. A lobe is a unit with
+// two inputs, n and cos, and one output, y.
 #pragma once
 
 #include <cstdint>
@@ -8,19 +9,14 @@
 #include <string_view>
 #include <vector>
 
+namespace glint {
+class EffectModel;
+}
+
 namespace glint::testbench {
 
-/// Inputs of one burst; the i-th carries the tag first_tag + i.
+/// Inputs of one burst: inputs[p][i] is what input port p gets with the i-th tag.
 struct Burst {
-    std::span<const std::uint16_t> n;
-    std::span<const std::int32_t> cos_code;
-    std::uint32_t first_tag = 0;
-
-    std::size_t size() const { return n.size(); }
-};
-
-/// Inputs of one burst for a unit with any ports: inputs[p][i] is what input port p gets with the i-th tag.
-struct ColumnBurst {
     std::span<const std::int32_t* const> inputs;
     std::span<const std::uint32_t> tags;
 
@@ -34,7 +30,9 @@ struct Schedule {
 };
 
 /// What a burst gave. Vectors are as long as the burst; entries past `results` are meaningless.
-struct StreamOutcome {
+struct Outcome {
+    std::vector<std::vector<std::int32_t>> values;  ///< values[p][i]: what output port p showed for the i-th input
+    std::vector<std::uint8_t> clamped;
     std::vector<std::uint32_t> tags;   ///< with tlast above it where the unit has one
     std::vector<std::uint64_t> clock;  ///< of each result, from the start of the burst; with stalls only
     std::size_t results = 0;           ///< how many came before the unit fell silent; more than the burst: `surplus`
@@ -45,20 +43,9 @@ struct StreamOutcome {
     std::uint64_t span = 0;            ///< clocks from the first result to the last, both counted
 };
 
-struct Outcome : StreamOutcome {
-    std::vector<std::uint32_t> packed;  ///< y, and clamped in bit 31
-};
-
-/// values[p][i]: what output port p showed for the i-th input.
-struct ColumnOutcome : StreamOutcome {
-    std::vector<std::vector<std::int32_t>> values;
-    std::vector<std::uint8_t> clamped;
-};
-
-template <class Burst, class Outcome>
-class StreamUnit {
+class Unit {
 public:
-    virtual ~StreamUnit() = default;
+    virtual ~Unit() = default;
 
     /// Holds reset for some clocks.
     virtual void reset() = 0;
@@ -77,22 +64,37 @@ public:
     virtual void trace(const std::string& file, std::uint64_t first, std::uint64_t last) = 0;
 };
 
-/// The unit of a lobe, and the unit of an effect.
-using Unit = StreamUnit<Burst, Outcome>;
-using EffectUnit = StreamUnit<ColumnBurst, ColumnOutcome>;
+/// The widths of a model's inputs.
+std::vector<int> input_widths(const EffectModel& model);
 
-/// A unit that this build contains. Made with F, the fraction bits of its cosine, and a seed for what its registers
-/// hold at first.
+/// Makes a unit with a seed for what its registers hold at first; `bits`: input_widths of its model.
+using MakeUnit = std::unique_ptr<Unit> (*)(std::span<const int> bits, std::uint64_t seed);
+
+/// A unit that this build contains.
 struct UnitKind {
-    std::string_view lobe;
+    std::string_view effect;        ///< empty for the unit of a lobe
+    std::string_view lobe;          ///< of effects that are made of none: empty
     std::string_view profile;       ///< its name, e.g. "p12" or "18_14_14_12"
     std::string_view unit;          ///< "core" or "axis"
-    std::string_view architecture;  ///< its canonical name, e.g. "restoring"
-    std::unique_ptr<Unit> (*fast)(int F, std::uint64_t seed);
-    std::unique_ptr<Unit> (*traced)(int F, std::uint64_t seed);  ///< the same Verilog, built for waveforms; may be null
+    std::string_view architecture;  ///< of a lobe: its canonical name, e.g. "restoring"
+    int mask = -1;  ///< MASK of shade, the bits of its port `effects` that are built; -1: all, as of every other effect
+    std::string_view id;  ///< of the build: the target waveform-<id> is the same unit, made to draw
+    MakeUnit make = nullptr;
+
+    /// "bps p8 core restoring", "phong bps p8", "shade bps p12 MASK 3".
+    std::string name() const;
 };
 
-/// All units of this build; written by CMake from GLINT_PROFILES and GLINT_ARCHITECTURES.
+/// Every unit is one file of the build (register_unit.cpp), which adds itself before main() starts.
+struct Registration {
+    explicit Registration(const UnitKind& kind);
+};
+
+/// All units of this build.
 std::span<const UnitKind> unit_kinds();
+
+/// The unit of an effect. The lobe does not matter for effects that take none. Throws Error with what this build has.
+const UnitKind& find_effect_unit(std::string_view effect, std::string_view lobe, std::string_view profile,
+                                 int mask = -1);
 
 }  // namespace glint::testbench

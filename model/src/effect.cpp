@@ -85,6 +85,11 @@ void EffectModel::eval_port_batch(std::span<const std::int32_t* const> inputs, s
         throw Error(fmt::format("{} and {} columns are not legal for {}: {} and {}", inputs.size(), outputs.size(),
                                 effect_, inputs_.size(), outputs_.size()));
     }
+    batch(inputs, outputs, clamped);
+}
+
+void EffectModel::batch(std::span<const std::int32_t* const> inputs, std::span<std::int32_t* const> outputs,
+                        std::span<std::uint8_t> clamped) const {
     std::vector<std::int64_t> in(inputs.size()), out(outputs.size());
     for (std::size_t i = 0; i < clamped.size(); ++i) {
         for (std::size_t p = 0; p < in.size(); ++p) in[p] = inputs[p][i];
@@ -108,7 +113,8 @@ std::vector<double> EffectModel::legal(std::span<const double> in) const {
     std::vector<double> arguments(in.begin(), in.end());
     for (std::size_t p = 0; p < arguments.size(); ++p) {
         const double x = std::isnan(arguments[p]) ? 0.0 : arguments[p];
-        arguments[p] = std::clamp(x, inputs_[p].real(inputs_[p].low), inputs_[p].real(inputs_[p].high));
+        arguments[p] =
+            corrects_itself() ? x : std::clamp(x, inputs_[p].real(inputs_[p].low), inputs_[p].real(inputs_[p].high));
     }
     return arguments;
 }

@@ -84,6 +84,9 @@ private:
     /// Cuts codes to the legal ranges of their ports; true where that changed any. An effect that is made of others may
     /// leave that to them, and say only whether they do.
     virtual bool correct(std::int64_t* in) const;
+    /// eval_port_batch, once the number of columns is right.
+    virtual void batch(std::span<const std::int32_t* const> inputs, std::span<std::int32_t* const> outputs,
+                       std::span<std::uint8_t> clamped) const;
     /// The effect for codes that are cut to their ports' legal ranges: a code per output port.
     virtual void value(const std::int64_t* in, std::int64_t* out) const = 0;
     /// The same with every intermediate value, the outputs last.
@@ -91,6 +94,8 @@ private:
     /// The real function for arguments that are cut to their ports' legal ranges.
     virtual void real(const double* in, double* out) const = 0;
     virtual double scale(const double*) const { return 1.0; }
+    /// Whether `real` and `scale` want their arguments as they come.
+    virtual bool corrects_itself() const { return false; }
     /// Arguments for `real`. Throws Error when there are not as many as input ports.
     std::vector<double> legal(std::span<const double> in) const;
 

@@ -1,5 +1,7 @@
-// Cosimulation of effects: a unit's results against the golden model, bit for bit, and the golden model against the
-// real function.
+// The tests of the unit of an effect. Each also holds the golden model against the real function.
+//
+// Test::stream sends the hard cases, the products of the corners of all inputs, then Request::count random inputs;
+// Test::illegal every illegal code of every input, with the others random.
 #pragma once
 
 #include <cstdint>
@@ -8,27 +10,9 @@
 
 #include <nlohmann/json.hpp>
 
-#include "effect_unit.hpp"
-#include "glint/effect.hpp"
-#include "glint/parallel.hpp"
+#include "cosim.hpp"
 
 namespace glint::testbench {
-
-enum class EffectTest {
-    stream,      ///< the hard cases, the products of the corners of all inputs, then random inputs
-    exhaustive,  ///< everything that the ports can carry
-    illegal,     ///< every illegal code of every input, with the others random
-    reset        ///< resets in mid-stream, at random clocks and of random lengths
-};
-
-struct EffectRequest {
-    EffectTest test = EffectTest::stream;
-    std::uint64_t count = 0;  ///< random inputs (stream) or resets (reset)
-    double stall_probability = 0.0;
-    std::uint64_t seed = 1;
-    unsigned threads = 0;
-    std::string trace_file;  ///< waveform of the first mismatch's neighbourhood; empty: none
-};
 
 /// The largest difference of the golden model and the real function, in the units of Effect::bound_ulp, and where it
 /// was seen.
@@ -47,7 +31,7 @@ struct EffectRun {
     std::uint64_t cycles = 0;
     int latency_cycles = 0;          ///< measured without stalls
     double results_per_cycle = 0.0;  ///< measured without stalls
-    EffectRequest request;
+    Request request;
     EffectError error;
     double bound_ulp = 0.0;
     double seconds = 0.0;
@@ -55,8 +39,8 @@ struct EffectRun {
 };
 
 /// Runs one test of one unit. Throws Error when the test does not fit the effect.
-EffectRun cosimulate_effect(const Effect& effect, const EffectModel& model, const EffectUnitKind& kind,
-                            const EffectRequest& request, const Progress& progress);
+EffectRun test_effect(const Effect& effect, const EffectModel& model, const UnitKind& kind, const Request& request,
+                      const Progress& progress);
 
 nlohmann::ordered_json to_json(const std::vector<EffectRun>& runs, const std::string& command);
 

@@ -1,0 +1,169 @@
+#include "lobe_tests.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+#include <fmt/format.h>
+
+#include "glint/lobe_unit.hpp"
+#include "glint/sweep.hpp"
+#include "glint/vectors.hpp"
+
+namespace glint::testbench {
+namespace {
+
+constexpr int axis_latency = 2;  ///< clocks that glint_axis adds
+constexpr std::size_t n_port = 0, cos_port = 1;
+
+/// Tags in order from a random first one; where random stalls start.
+void number(Stimulus& stimulus, std::uint64_t seed) {
+    stimulus.stall_seed = seed;
+    std::iota(stimulus.tags.begin(), stimulus.tags.end(), static_cast<std::uint32_t>(seed >> 32));
+}
+
+/// Random legal inputs; the corners (legal ones) lead the first burst.
+Stimulus random_stimulus(const GoldenModel& model, const Request& request, std::uint64_t place, std::uint64_t length) {
+    Stimulus out;
+    out.resize(2, length);
+    std::size_t i = 0;
+    if (place == 0) {
+        for (const TestVector& corner : corner_vectors(model)) {
+            if (corner.expected.clamped || i == length) continue;
+            out.set(i, n_port, corner.n);
+            out.set(i++, cos_port, corner.cos_code);
+        }
+    }
+    Random random(derived_seed(request.seed, place));
+    for (; i < length; ++i) {
+        const LegalInput input = random_legal_input(model.profile(), random);
+        out.set(i, n_port, input.n);
+        out.set(i, cos_port, input.cos_code);
+    }
+    number(out, random.next());
+    return out;
+}
+
+Plan random_plan(const GoldenModel& model, const Request& request, std::uint64_t inputs, std::uint64_t length) {
+    return {(inputs + length - 1) / length, [&model, &request, inputs, length](Checker& checker) {
+                return [&, inputs, length](std::uint64_t task) {
+                    const std::uint64_t count = std::min(length, inputs - task * length);
+                    checker.run(random_stimulus(model, request, task, count), task);
+                };
+            }};
+}
+
+/// The illegal inputs, cut into bursts of one n each.
+std::vector<std::pair<int, Range>> illegal_bursts(const Profile& profile) {
+    constexpr auto length = static_cast<std::int64_t>(burst_length);
+    const std::int64_t one = profile.one();
+    std::vector<std::pair<int, Range>> out;
+    const auto add = [&](int n, std::int64_t first, std::int64_t last) {
+        for (; first <= last; first += length) {
+            out.emplace_back(n, Range{first, std::min<std::int64_t>(last, first + length - 1), 1});
+        }
+    };
+    add(0, -2 * one, 2 * one - 1);
+    for (const int n : {1, 2, 50, 1000, 1023}) {
+        add(n, -2 * one, -1);
+        add(n, one + 1, 2 * one - 1);
+    }
+    return out;
+}
+
+Plan illegal_plan(const GoldenModel& model, const Request& request) {
+    const auto bursts = illegal_bursts(model.profile());
+    return {bursts.size(), [&request, bursts](Checker& checker) {
+                return [&, bursts](std::uint64_t task) {
+                    const auto& [n, codes] = bursts[task];
+                    Stimulus stimulus;
+                    stimulus.resize(2, static_cast<std::size_t>(codes.size()));
+                    for (std::size_t i = 0; i < stimulus.tags.size(); ++i) {
+                        stimulus.set(i, n_port, n);
+                        stimulus.set(i, cos_port, codes[static_cast<std::int64_t>(i)]);
+                    }
+                    number(stimulus, derived_seed(request.seed, task));
+                    checker.run(stimulus, task);
+                };
+            }};
+}
+
+using TaskAccuracy = std::vector<std::vector<Accuracy>>;  // a list by n for each task
+
+Plan grid_plan(const GoldenModel& model, const Request& request, const SweepPlan& sweep, TaskAccuracy& by_task) {
+    return {sweep.tasks(), [&](Checker& checker) {
+                return [&](std::uint64_t task) {
+                    const std::vector<int>& n = sweep.n();
+                    const std::vector<std::int32_t> codes = sweep.codes(task);
+                    AccuracyMeter meter(model, codes);
+                    Stimulus stimulus;
+                    stimulus.resize(2, codes.size());
+                    stimulus.columns[cos_port] = codes;
+                    std::vector<std::uint32_t> packed(codes.size());
+                    for (std::size_t k = 0; k < n.size(); ++k) {
+                        const std::uint64_t place = task * n.size() + k;
+                        stimulus.columns[n_port].assign(codes.size(), n[k]);
+                        number(stimulus, derived_seed(request.seed, place));
+                        const Outcome& outcome = checker.check(stimulus, place);
+                        for (std::size_t i = 0; i < packed.size(); ++i) {
+                            packed[i] = static_cast<std::uint32_t>(outcome.values[0][i]) |
+                                        std::uint32_t{outcome.clamped[i]} << 31;
+                        }
+                        meter.add(n[k], packed, by_task[task][k]);
+                    }
+                };
+            }};
+}
+
+}  // namespace
+
+LobeRun test_lobe(const GoldenModel& model, const UnitKind& kind, const Request& request, const Grid& grid,
+                  const Progress& progress) {
+    const std::unique_ptr<EffectModel> unit = lobe_unit(model);
+    LobeRun out{cli::run_result(model, std::string(kind.unit), std::string(name(request.test))), {}};
+    out.result.architecture = kind.architecture;
+    Log log;
+    if (request.test == Test::illegal) {
+        out.result.seconds = run_plan(illegal_plan(model, request), *unit, kind, request, log, progress);
+    } else if (request.test == Test::reset) {
+        constexpr std::uint64_t length = 512;
+        const Plan plan = random_plan(model, request, request.count * length, length);
+        out.result.seconds = run_plan(plan, *unit, kind, request, log, progress);
+    } else if (request.count > 0) {
+        const Plan plan = random_plan(model, request, request.count, burst_length);
+        out.result.seconds = run_plan(plan, *unit, kind, request, log, progress);
+    } else {
+        const SweepPlan sweep(grid.n, grid.cos_code);
+        TaskAccuracy by_task(sweep.tasks(), std::vector<Accuracy>(sweep.n().size()));
+        const Plan plan = grid_plan(model, request, sweep, by_task);
+        out.result.seconds = run_plan(plan, *unit, kind, request, log, progress);
+        out.result.accuracy = sweep.merge(by_task);
+        out.result.exhaustive = sweep.inputs() == max_n * (static_cast<std::uint64_t>(model.profile().one()) + 1);
+    }
+    out.result.inputs = log.inputs;
+    cli::HardwareResult hardware;
+    hardware.mismatches = log.mismatches;
+    hardware.cycles = log.cycles;
+    hardware.latency_cycles = log.most_latency;
+    hardware.results_per_cycle = log.results_per_cycle();
+    if (log.intervals > 0) {
+        hardware.interval_cycles = static_cast<double>(log.interval_clocks) / static_cast<double>(log.intervals);
+    }
+    hardware.stall_probability = request.stall_probability;
+    hardware.seed = request.seed;
+    out.result.hardware = hardware;
+
+    // One result a clock, but for the iterative divider, which takes the next input when a result leaves the core.
+    const std::uint64_t interval =
+        kind.architecture.starts_with("iterative")
+            ? static_cast<std::uint64_t>(log.most_latency - (kind.unit == "axis" ? axis_latency : 0))
+            : 1;
+    std::string own;
+    if (log.mismatches == 0 && log.interval_clocks != log.intervals * interval) {
+        own = fmt::format("{} clocks between {} results without stalls, not {} each\n", log.interval_clocks,
+                          log.intervals + 1, interval);
+    }
+    out.complaint = complaint(*unit, kind, request, log, own);
+    return out;
+}
+
+}  // namespace glint::testbench

@@ -1,0 +1,73 @@
+// One Verilated unit, compiled once for each: what it is and the names of its ports are macros that the build takes
+// from rtl/units.json. With GLINT_DRAWS it is a library of its own that glint-cosim loads to draw a waveform
+// (waveform.hpp).
+//
+// Verilator's own C++ is part of this file, for headers cost more than a small unit. Sanitizers watch the rest of it:
+// they would take minutes to compile generated functions of a thousand lines.
+#if defined(GLINT_SANITIZERS) && defined(__clang__)
+#pragma clang attribute push(__attribute__((no_sanitize("address", "undefined"))), apply_to = function)
+#endif
+#include GLINT_VERILATED
+#if defined(GLINT_SANITIZERS) && defined(__clang__)
+#pragma clang attribute pop
+#endif
+
+#include "pins.hpp"
+#include "simulated_unit.hpp"
+
+namespace glint::testbench {
+namespace {
+
+#ifdef GLINT_INPUTS
+struct Pins : StreamPins {
+#define GLINT_PIN(name) +1
+    static constexpr std::size_t inputs = 0 GLINT_INPUTS, outputs = 0 GLINT_OUTPUTS;
+#undef GLINT_PIN
+
+    template <class Model>
+    static void input(Model& m, const std::int32_t* const* in, std::size_t i, const std::uint32_t* mask,
+                      std::uint32_t tag) {
+#define GLINT_PIN(name) set(m.name, (*in++)[i], *mask++);
+        GLINT_INPUTS
+        m.tag_i = StreamPins::tag(tag);
+#undef GLINT_PIN
+    }
+    template <class Model>
+    static void output(const Model& m, std::int32_t* values) {
+#define GLINT_PIN(name) *values++ = static_cast<std::int32_t>(m.name);
+        GLINT_OUTPUTS
+#undef GLINT_PIN
+    }
+};
+#else
+using Pins = AxisPins;
+#endif
+
+}  // namespace
+
+#ifdef GLINT_DRAWS
+extern "C" Unit* glint_make_unit(const int* bits, std::size_t count, std::uint64_t seed);
+
+extern "C" Unit* glint_make_unit(const int* bits, std::size_t count, std::uint64_t seed) {
+    return std::make_unique<SimulatedUnit<GLINT_MODEL, Pins>>(std::span(bits, count), seed).release();
+}
+#else
+namespace {
+
+std::unique_ptr<Unit> make(std::span<const int> bits, std::uint64_t seed) {
+    return std::make_unique<SimulatedUnit<GLINT_MODEL, Pins>>(bits, seed);
+}
+
+const Registration registration({.effect = GLINT_EFFECT_NAME,
+                                 .lobe = GLINT_LOBE_NAME,
+                                 .profile = GLINT_PROFILE,
+                                 .unit = GLINT_UNIT,
+                                 .architecture = GLINT_ARCHITECTURE,
+                                 .mask = GLINT_MASK,
+                                 .id = GLINT_ID,
+                                 .make = make});
+
+}  // namespace
+#endif
+
+}  // namespace glint::testbench
