@@ -213,6 +213,7 @@ EffectRun test_effect(const Effect& effect, const EffectModel& model, const Unit
     run.mask = kind.mask;
     run.test = name(request.test);
     run.request = request;
+    for (const EffectPort& port : model.inputs()) run.inputs_of_unit.emplace_back(port.name);
     run.bound_ulp = effect.bound_ulp;
 
     const Bursts bursts = request.test == Test::stream       ? stream_bursts(effect, model, request.count, run.corners)
@@ -243,10 +244,7 @@ nlohmann::ordered_json to_json(const std::vector<EffectRun>& runs, const std::st
     nlohmann::ordered_json list = nlohmann::ordered_json::array();
     for (const EffectRun& run : runs) {
         nlohmann::ordered_json in = nlohmann::ordered_json::object();
-        const auto model = find_effect(run.effect).golden(parse_profile(run.profile), run.lobe);
-        for (std::size_t p = 0; p < run.error.in.size(); ++p) {
-            in[std::string(model->inputs()[p].name)] = run.error.in[p];
-        }
+        for (std::size_t p = 0; p < run.error.in.size(); ++p) in[run.inputs_of_unit[p]] = run.error.in[p];
         nlohmann::ordered_json one{
             {"effect", run.effect},
             {"lobe", run.lobe},

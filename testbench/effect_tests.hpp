@@ -24,7 +24,8 @@ struct EffectError {
 
 struct EffectRun {
     std::string effect, lobe, profile, test;
-    int mask = -1;  ///< of shade; -1: all
+    int mask = -1;                            ///< of shade; -1: all
+    std::vector<std::string> inputs_of_unit;  ///< names of its ports
     std::uint64_t inputs = 0;
     std::uint64_t corners = 0;  ///< of them hard cases and products of corners
     std::uint64_t mismatches = 0;

@@ -179,16 +179,26 @@ private:
         out.tag = Pins::output_tag(*model_);
         return out;
     }
-    static void store(Outcome& out, std::size_t i, const Word& word) {
-        for (std::size_t p = 0; p < Pins::outputs; ++p) out.values[p][i] = word.values[p];
-        out.clamped[i] = word.clamped;
-        out.tags[i] = word.tag;
-    }
+    /// Where words go: the columns of an outcome.
+    struct Columns {
+        explicit Columns(Outcome& out) : clamped(out.clamped.data()), tags(out.tags.data()) {
+            for (std::size_t p = 0; p < Pins::outputs; ++p) values[p] = out.values[p].data();
+        }
+        void store(std::size_t i, const Word& word) const {
+            for (std::size_t p = 0; p < Pins::outputs; ++p) values[p][i] = word.values[p];
+            clamped[i] = word.clamped;
+            tags[i] = word.tag;
+        }
+        std::array<std::int32_t*, Pins::outputs> values;
+        std::uint8_t* clamped;
+        std::uint32_t* tags;
+    };
 
     void run_full_speed(const Burst& burst, Outcome& out) {
         Model& model = *model_;
         const std::uint32_t count = static_cast<std::uint32_t>(burst.size());
         Pins::output_ready(model, true);
+        const Columns columns(out);
         std::uint32_t sent = 0;
         std::size_t got = 0;
         std::uint64_t first_result = 0;
@@ -206,7 +216,7 @@ private:
                 }
                 if (got == 0) first_result = now;
                 last_result = now;
-                store(out, got, word());
+                columns.store(got, word());
                 // After the last, look a little further for what should not come.
                 limit = now + 1 + (++got == count ? tail : silence);
             }
@@ -225,6 +235,7 @@ private:
         const auto threshold = static_cast<std::uint32_t>(std::min(schedule.stall_probability * 0x1p32, 4294967295.0));
         Random random(schedule.seed);
         out.clock.resize(count);
+        const Columns columns(out);
         std::uint32_t sent = 0;
         std::size_t got = 0;
         bool offered = false;  // an input was offered and not yet accepted: it has to stay
@@ -249,7 +260,7 @@ private:
                     out.surplus = true;
                     break;
                 }
-                store(out, got, shown);
+                columns.store(got, shown);
                 out.clock[got] = clock_;
                 ++got;
                 out.cycles = clock_ + 1;
