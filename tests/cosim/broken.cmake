@@ -1,7 +1,11 @@
 # Runs a cosimulation of broken Verilog: it has to exit with 1, to show golden intermediates or the reset's complaint, and
-# to leave a waveform of a mismatch, or to say that it cannot draw one.
-file(REMOVE ${TRACE})
-execute_process(COMMAND ${COSIM} --profile p8 ${ARGUMENTS} --trace ${TRACE}
+# with -DTRACE=FILE to build the unit that draws and to leave a waveform of a mismatch.
+set(trace "")
+if(TRACE)
+  file(REMOVE ${TRACE})
+  set(trace --trace ${TRACE})
+endif()
+execute_process(COMMAND ${COSIM} --profile p8 ${ARGUMENTS} ${trace}
   RESULT_VARIABLE status OUTPUT_VARIABLE output ERROR_VARIABLE error)
 message("${output}${error}")
 if(NOT status EQUAL 1)
@@ -13,13 +17,10 @@ endif()
 if(error MATCHES "reset at clock")
   return()
 endif()
-if(NOT GOLDEN)
-  set(GOLDEN "C [0-9]+ D [0-9]+ quotient [0-9]+ h1")
-endif()
 if(NOT error MATCHES "golden: ${GOLDEN}" AND NOT error MATCHES "never came")
   message(FATAL_ERROR "no intermediate value of the golden model was shown")
 endif()
-if(error MATCHES "no waveform: this build has none of")  # only the default architecture draws
+if(NOT TRACE)
   return()
 endif()
 if(NOT EXISTS ${TRACE})
