@@ -119,7 +119,7 @@ Plan grid_plan(const GoldenModel& model, const Request& request, const SweepPlan
 LobeRun test_lobe(const GoldenModel& model, const UnitKind& kind, const Request& request, const Grid& grid,
                   const Progress& progress) {
     const std::unique_ptr<EffectModel> unit = lobe_unit(model);
-    LobeRun out{cli::run_result(model, std::string(kind.unit), std::string(name(request.test))), {}};
+    LobeRun out{io::run_result(model, std::string(kind.unit), std::string(name(request.test))), {}};
     out.result.architecture = kind.architecture;
     Log log;
     if (request.test == Test::illegal) {
@@ -140,7 +140,7 @@ LobeRun test_lobe(const GoldenModel& model, const UnitKind& kind, const Request&
         out.result.exhaustive = sweep.inputs() == max_n * (static_cast<std::uint64_t>(model.profile().one()) + 1);
     }
     out.result.inputs = log.inputs;
-    cli::HardwareResult hardware;
+    io::HardwareResult hardware;
     hardware.mismatches = log.mismatches;
     hardware.cycles = log.cycles;
     hardware.latency_cycles = log.most_latency;

@@ -4,7 +4,7 @@
 #include "cosim.hpp"
 #include "glint/golden.hpp"
 #include "glint/range.hpp"
-#include "results.hpp"
+#include "io/results.hpp"
 
 namespace glint::testbench {
 
@@ -17,7 +17,7 @@ struct Grid {
 };
 
 struct LobeRun {
-    cli::RunResult result;
+    io::RunResult result;
     std::string complaint;  ///< what went wrong, for people; empty when all is well
 };
 

@@ -5,9 +5,9 @@
 
 #include <fmt/format.h>
 
-#include "common.hpp"
 #include "effect_tests.hpp"
 #include "glint/error.hpp"
+#include "io/command.hpp"
 #include "junit.hpp"
 #include "lobe_tests.hpp"
 
@@ -97,8 +97,8 @@ Request make_request(const Options& options) {
 class Report {
 public:
     explicit Report(const Options& options) : options_(options) {
-        cli::check_writable(options.json);
-        cli::check_writable(options.junit);
+        io::check_writable(options.json);
+        io::check_writable(options.junit);
     }
 
     void add(const std::string& name, std::string_view test, double seconds, const std::string& complaint) {
@@ -107,12 +107,12 @@ public:
     }
 
     int finish(const nlohmann::ordered_json& json, const std::string& table) const {
-        if (!options_.json.empty()) cli::write_file(options_.json, json.dump(1) + "\n");
-        if (!options_.junit.empty()) cli::write_file(options_.junit, to_junit("glint-cosim", cases_));
+        if (!options_.json.empty()) io::write_file(options_.json, json.dump(1) + "\n");
+        if (!options_.junit.empty()) io::write_file(options_.junit, to_junit("glint-cosim", cases_));
         const auto failed = static_cast<std::size_t>(
             std::count_if(cases_.begin(), cases_.end(), [](const JUnitCase& c) { return !c.failure.empty(); }));
         fmt::print("{}{} of {} runs passed, seed {}\n", table, cases_.size() - failed, cases_.size(), options_.seed);
-        return failed == 0 ? cli::success : cli::check_failed;
+        return failed == 0 ? io::success : io::check_failed;
     }
 
 private:
@@ -132,7 +132,7 @@ std::vector<const Effect*> split_effects(const std::string& text) {
         }
         return out;
     }
-    for (const std::string& word : cli::split_list(text)) out.push_back(&find_effect(word));
+    for (const std::string& word : io::split_list(text)) out.push_back(&find_effect(word));
     return out;
 }
 
@@ -140,8 +140,8 @@ std::vector<const Effect*> split_effects(const std::string& text) {
 std::vector<int> split_masks(const std::string& text) {
     if (text.empty()) return {-1};
     std::vector<int> out;
-    for (const std::string& word : cli::split_list(text)) {
-        out.push_back(static_cast<int>(cli::parse_integer(word, "--mask", 0, 0xffff)));
+    for (const std::string& word : io::split_list(text)) {
+        out.push_back(static_cast<int>(io::parse_integer(word, "--mask", 0, 0xffff)));
     }
     return out;
 }
@@ -156,7 +156,7 @@ int cosim_effects(const Options& options, const std::string& command) {
     };
     std::vector<Work> work;
     for (const Effect* effect : split_effects(options.effect)) {
-        for (const std::string& profile : cli::split_profiles(options.profile)) {
+        for (const std::string& profile : io::split_profiles(options.profile)) {
             for (const int mask : split_masks(options.mask)) {
                 auto model = effect->golden(parse_profile(profile), options.lobe);
                 const UnitKind& kind = find_effect_unit(effect->name, options.lobe, model->profile().name, mask);
@@ -169,35 +169,35 @@ int cosim_effects(const Options& options, const std::string& command) {
     std::vector<EffectRun> runs;
     for (const auto& [effect, model, kind] : work) {
         const std::string name = kind->name();
-        runs.push_back(test_effect(*effect, *model, *kind, make_request(options), cli::progress_bar(name)));
+        runs.push_back(test_effect(*effect, *model, *kind, make_request(options), io::progress_bar(name)));
         report.add(name, runs.back().test, runs.back().seconds, runs.back().complaint);
     }
     return report.finish(to_json(runs, command), effect_table(runs));
 }
 
 int cosim_lobes(const Options& options, const std::string& command) {
-    const auto golden = cli::models(options.lobe, options.profile);
+    const auto golden = io::models(options.lobe, options.profile);
     const auto architectures =
-        options.architecture.empty() ? std::vector<std::string>{} : cli::split_list(options.architecture);
+        options.architecture.empty() ? std::vector<std::string>{} : io::split_list(options.architecture);
     std::vector<std::pair<const GoldenModel*, const UnitKind*>> work;
     for (const auto& model : golden) {
-        for (const UnitKind* kind : find_units(*model, cli::split_list(options.unit), architectures)) {
+        for (const UnitKind* kind : find_units(*model, io::split_list(options.unit), architectures)) {
             work.emplace_back(model.get(), kind);
         }
     }
     Report report(options);
-    std::vector<cli::RunResult> runs;
+    std::vector<io::RunResult> runs;
     for (const auto& [model, kind] : work) {
         const std::string name = kind->name();
         Request request = make_request(options);
         if (request.test == Test::exhaustive) request.test = Test::stream;  // of the whole grid
         const Grid grid{parse_range(options.n, "--n", 1, max_n),
                         parse_range(options.cos, "--cos", 0, model->profile().one())};
-        LobeRun run = test_lobe(*model, *kind, request, grid, cli::progress_bar(name));
+        LobeRun run = test_lobe(*model, *kind, request, grid, io::progress_bar(name));
         report.add(name, run.result.test, run.result.seconds, run.complaint);
         runs.push_back(std::move(run.result));
     }
-    return report.finish(cli::to_json(runs, "glint-cosim", command), cli::results_table(runs, true));
+    return report.finish(io::to_json(runs, "glint-cosim", command), io::results_table(runs, true));
 }
 
 }  // namespace
@@ -217,18 +217,18 @@ int main(int argc, char** argv) {
     CLI::Option* exhaustive = app.add_flag("--exhaustive", options.exhaustive, "Every legal input");
     CLI::Option* n = app.add_option("--n", options.n, "Exponents: n, first:last, first:last:step or all");
     CLI::Option* cos = app.add_option("--cos", options.cos, "Cosine codes: a range as for --n, or all (0 to 2^F)");
-    CLI::Option* count = cli::add_integer(app, "--count", options.count, 1, std::int64_t{1} << 40,
-                                          "So many random legal inputs, the corners first");
+    CLI::Option* count = io::add_integer(app, "--count", options.count, 1, std::int64_t{1} << 40,
+                                         "So many random legal inputs, the corners first");
     CLI::Option* illegal = app.add_flag("--illegal", options.illegal,
                                         "n = 0 with every code, and illegal codes with n 1, 2, 50, 1000, 1023");
     CLI::Option* resets =
-        cli::add_integer(app, "--resets", options.resets, 1, std::int64_t{1} << 40, "So many resets in mid-stream");
+        io::add_integer(app, "--resets", options.resets, 1, std::int64_t{1} << 40, "So many resets in mid-stream");
     app.add_option("--stall-probability", options.stall_probability,
                    "Chance of a bubble at the input, and of a stall at the output")
         ->check(CLI::Range(0.0, 0.99))
         ->capture_default_str();
-    cli::add_integer(app, "--seed", options.seed, 0, cli::largest_seed, "Seed of all that is random");
-    cli::add_integer(app, "--threads", options.threads, 0, cli::most_threads, "Threads; 0: one a core");
+    io::add_integer(app, "--seed", options.seed, 0, io::largest_seed, "Seed of all that is random");
+    io::add_integer(app, "--threads", options.threads, 0, io::most_threads, "Threads; 0: one a core");
     app.add_option("--trace", options.trace, "Waveform (FST) around the first mismatch");
     app.add_option("--json", options.json, "Write the results, per n and in total");
     app.add_option("--junit", options.junit, "Write the results as JUnit XML");
@@ -242,8 +242,8 @@ int main(int argc, char** argv) {
     resets->excludes(n)->excludes(cos);
     effect->excludes(n)->excludes(cos)->excludes(unit);
     app.footer("Example: glint-cosim --lobe bps --profile p8,p12,p16 --exhaustive --json cosim.json");
-    const std::string command = cli::command_line(argc, argv);
-    return cli::run(app, argc, argv, [&] {
+    const std::string command = io::command_line(argc, argv);
+    return io::run(app, argc, argv, [&] {
         if (exhaustive->count() + n->count() + cos->count() + count->count() + illegal->count() + resets->count() ==
             0) {
             throw Error("nothing to run: --exhaustive, --n and --cos, --count, --illegal or --resets");
