@@ -41,7 +41,7 @@ std::string read_file(const std::filesystem::path& path) {
 
 void check_text(std::string_view text, const std::string& file) {
     if (text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff")) {
-        throw Error(fmt::format("{} is UTF-16 text, which is not legal: ASCII or UTF-8", file));
+        throw Error(fmt::format("{}: this is UTF-16 text, which is not legal: ASCII or UTF-8", file));
     }
     const std::size_t zero = text.find('\0');
     if (zero != text.npos) throw Error(fmt::format("{}: byte {} is 0: this is no text in ASCII or UTF-8", file, zero));

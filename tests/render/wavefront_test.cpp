@@ -342,7 +342,7 @@ TEST_CASE("obj: one definition of a line") {
             for (const Corner& corner : triangle.corners) CHECK(std::abs(corner.position.x) == 1.0);
         }
     }
-    CHECK(holds(obj_refusal(std::string("\xff\xfev\0", 4)), "test.obj is UTF-16"));
+    CHECK(holds(obj_refusal(std::string("\xff\xfev\0", 4)), "test.obj: this is UTF-16"));
     CHECK(holds(obj_refusal(std::string("\0v", 2)), "byte 0 is 0"));
     CHECK(holds(obj(square + "vx 1\nf 1 2 3\nvy\n").warnings.at(0),
                 "2 lines are not OBJ and are left out, the first is line 5: 'vx'"));
