@@ -1,7 +1,6 @@
 #include "glint/effect.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -9,20 +8,6 @@
 #include "glint/error.hpp"
 
 namespace glint {
-
-// Each effect's own file defines its entry.
-#define GLINT_EFFECT(name) Effect name##_effect();
-#include "glint/effects.def"
-#undef GLINT_EFFECT
-
-std::span<const Effect> effects() {
-#define GLINT_EFFECT(name) name##_effect(),
-    static const auto all = std::to_array<Effect>({
-#include "glint/effects.def"
-    });
-#undef GLINT_EFFECT
-    return all;
-}
 
 const Effect& find_effect(std::string_view name) {
     std::string known;

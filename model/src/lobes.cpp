@@ -1,26 +1,10 @@
 #include "glint/lobes.hpp"
 
-#include <array>
-
 #include <fmt/format.h>
 
 #include "glint/error.hpp"
 
 namespace glint {
-
-// Each lobe's own file defines its entry.
-#define GLINT_LOBE(name) Lobe name##_lobe();
-#include "glint/lobes.def"
-#undef GLINT_LOBE
-
-std::span<const Lobe> lobes() {
-#define GLINT_LOBE(name) name##_lobe(),
-    static const auto all = std::to_array<Lobe>({
-#include "glint/lobes.def"
-    });
-#undef GLINT_LOBE
-    return all;
-}
 
 const Lobe& find_lobe(std::string_view name) {
     std::string known;
