@@ -293,7 +293,7 @@ function(glint_cosim_of_one_lobe lobe profile)
   add_executable(${target} EXCLUDE_FROM_ALL $<TARGET_OBJECTS:glint-cosim-main>
     $<TARGET_OBJECTS:unit-glint_${lobe}_${profile}-${architecture}>)
   # By their files, for as targets they would bring every lobe along.
-  foreach(library glint-cosim-command glint-units glint-io)
+  foreach(library glint-cosim-command glint-units glint-io-command)
     target_link_libraries(${target} PRIVATE $<TARGET_FILE:${library}>)
     add_dependencies(${target} ${library})
   endforeach()

@@ -1,8 +1,7 @@
-// What the commands share: the frame of a command line, output files, progress, tables.
+// What the commands share: the frame of a command line.
 #pragma once
 
 #include <cstdint>
-#include <filesystem>
 #include <functional>
 #include <memory>
 #include <string>
@@ -12,7 +11,7 @@
 #include <CLI/CLI.hpp>
 
 #include "glint/lobes.hpp"
-#include "glint/parallel.hpp"
+#include "io/files.hpp"
 
 namespace glint::io {
 
@@ -42,23 +41,6 @@ CLI::Option* add_integer(CLI::App& app, const std::string& name, Integer& value,
         ->type_name("INT")
         ->default_str(std::to_string(value));
 }
-
-/// Writes a file whole or not at all: under a temporary name beside it, then renamed. A pipe or device is written to
-/// directly. Throws Error.
-void write_file(const std::filesystem::path& path, std::string_view text);
-
-/// Before work that takes time: throws Error, the line of write_file, where that would not be able to write. An empty
-/// path is fine.
-void check_writable(const std::filesystem::path& path);
-
-/// Makes the folder if it is not there. Throws Error.
-void make_folder(const std::filesystem::path& folder);
-
-/// A bar on stderr for work that takes longer than two seconds, when stderr is a terminal.
-Progress progress_bar(std::string label);
-
-/// Columns aligned; the first row is the heading, numbers to the right.
-std::string table(const std::vector<std::vector<std::string>>& rows);
 
 /// "a,b" -> a; b. There is always one: an empty text is an empty one.
 std::vector<std::string> split_list(const std::string& text);

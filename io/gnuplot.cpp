@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "glint/error.hpp"
-#include "io/command.hpp"
+#include "io/files.hpp"
 #include "io/process.hpp"
 
 namespace glint::io {

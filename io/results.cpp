@@ -5,8 +5,9 @@
 #include <initializer_list>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
-#include "io/command.hpp"
+#include "io/files.hpp"
 
 namespace glint::io {
 namespace {

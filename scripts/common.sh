@@ -8,7 +8,7 @@ usage() {
     [ $# -eq 0 ] && return
     case $1 in
         -h | --help) echo "$text"; exit 0 ;;
-        *) echo "$(basename "$0"): argument '$1' is not legal: none, or --help" >&2; exit 2 ;;
+        *) echo "$(basename "$0"): argument '$1' is not legal; --help says what is" >&2; exit 2 ;;
     esac
 }
 

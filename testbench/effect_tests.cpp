@@ -4,10 +4,11 @@
 #include <cmath>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "glint/error.hpp"
 #include "glint/vectors.hpp"
-#include "io/command.hpp"
+#include "io/files.hpp"
 
 namespace glint::testbench {
 namespace {

@@ -1,0 +1,30 @@
+// Output files, and what people see: progress, tables.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "glint/parallel.hpp"
+
+namespace glint::io {
+
+/// Writes a file whole or not at all: under a temporary name beside it, then renamed. A pipe or device is written to
+/// directly. Throws Error.
+void write_file(const std::filesystem::path& path, std::string_view text);
+
+/// Before work that takes time: throws Error, the line of write_file, where that would not be able to write. An empty
+/// path is fine.
+void check_writable(const std::filesystem::path& path);
+
+/// Makes the folder if it is not there. Throws Error.
+void make_folder(const std::filesystem::path& folder);
+
+/// A bar on stderr for work that takes longer than two seconds, when stderr is a terminal.
+Progress progress_bar(std::string label);
+
+/// Columns aligned; the first row is the heading, numbers to the right.
+std::string table(const std::vector<std::vector<std::string>>& rows);
+
+}  // namespace glint::io

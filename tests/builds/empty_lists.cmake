@@ -1,0 +1,10 @@
+# GLINT_EFFECTS and GLINT_ARCHITECTURES may be empty.
+include(${CMAKE_CURRENT_LIST_DIR}/common.cmake)
+foreach(list GLINT_EFFECTS GLINT_ARCHITECTURES)
+  configure(${GLINT} -D${list}= -DGLINT_PROFILES=p8 -DGLINT_TESTS=ON)
+  commands(glint-cosim)
+  string(FIND "${commands}" "/verilate.sh " units)
+  if(units EQUAL -1)
+    message(FATAL_ERROR "-D${list}=: glint-cosim has no unit")
+  endif()
+endforeach()

@@ -1,0 +1,5 @@
+#include <cstdio>
+
+unsigned answer();
+
+int main() { std::printf("%u\n", answer()); }
