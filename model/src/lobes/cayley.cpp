@@ -192,27 +192,9 @@ std::vector<GeneratedFile> emit_cayley(const Profile& profile, const Architectur
 
 std::vector<HardCase> cayley_hard_cases(const GoldenModel& model) {
     const int one = model.profile().one();
-    const std::string everywhere = "cosim.lobes.exhaustive, labels hls and oracle";
     auto cases = common_hard_cases(model);
     const auto add = [&](std::string name, int n, std::int32_t code, std::string risk) {
-        cases.push_back({std::move(name), n, code, std::move(risk), everywhere});
-    };
-    // The least code whose num, or whose result, is not 0: both rise with c.
-    const auto first = [&](int n, bool result) {
-        std::int32_t low = 0;
-        std::int32_t high = one;
-        while (low < high) {
-            const std::int32_t middle = low + (high - low) / 2;
-            const auto trace = model.trace(n, middle);
-            const auto num = std::ranges::find(trace, "num", &Intermediate::name);
-            const bool zero = result ? trace.back().code == 0 : num->code == 0;
-            if (zero) {
-                low = middle + 1;
-            } else {
-                high = middle;
-            }
-        }
-        return low;
+        cases.push_back({std::move(name), n, code, std::move(risk)});
     };
     add("n = 7, c = 0", 7, 0, "the only m below 0: den is the least, 14 and a little, and x negative");
     add("n = 7, c = 1 - 1 ulp", 7, one - 1, "x = -1, whose floored sixteenth is -1, not 0");
@@ -221,10 +203,10 @@ std::vector<HardCase> cayley_hard_cases(const GoldenModel& model) {
     add("n = 5, c = 3/4", 5, one / 4 * 3, "the power 5 is the product of unlike powers");
     add("largest den", 1023, 0, "1099 needs all of its F + 11 bits, and num is far below 0");
     for (const int n : {50, 1023}) {
-        const std::int32_t cut = first(n, false);
+        const std::int32_t cut = first_code(model, n, "num");
         add(fmt::format("n = {}, last num cut to 0", n), n, cut - 1, "just below 0: a lost sign would answer almost 1");
         add(fmt::format("n = {}, first num above 0", n), n, cut, "the base leaves 0");
-        const std::int32_t nonzero = first(n, true);
+        const std::int32_t nonzero = first_code(model, n, "y");
         add(fmt::format("n = {}, last result 0", n), n, nonzero - 1, "rounding of the last product");
         add(fmt::format("n = {}, first result above 0", n), n, nonzero, "rounding of the last product");
     }

@@ -12,6 +12,7 @@
 #include "../domain.hpp"
 #include "glint/error.hpp"
 #include "glint/fixed_point.hpp"
+#include "glint/lanes.hpp"
 #include "glint/lobes.hpp"
 #include "glint/reference.hpp"
 
@@ -22,14 +23,23 @@ namespace glint {
 ///   Steps steps(int n, std::int64_t C) const;     the integers for corrected arguments; Steps has a member y
 ///   std::vector<Intermediate> named(std::int64_t C, const Steps&) const;     them with their names; ends with y
 ///   double real(double c, double n) const;        the real function, 0 <= c <= 1, n >= 1
+/// A lobe that is worth it adds loops for vector lanes (glint/lanes.hpp); PlainModel uses those that are there:
+///   bool has_lanes() const;                       whether the word lengths fit the loop `lanes`
+///   static void lanes(const Format&, n, cos_code, packed, count);     eval_port and pack, element by element, on
+///                                                                     pointers as in GoldenModel::eval_port_batch
+///   static void real_lanes(double n, std::span<const double> c, std::span<double> out);     `real`
 template <class Format>
 class PlainModel final : public GoldenModel {
 public:
     PlainModel(const Profile& profile, const Format& format) : GoldenModel(Format::lobe, profile), f_(format) {}
 
     void reference(double n, std::span<const double> c, std::span<double> out) const override {
-        const std::size_t count = std::min(c.size(), out.size());
-        for (std::size_t i = 0; i < count; ++i) out[i] = f_.real(c[i], n);
+        if constexpr (requires { Format::real_lanes(n, c, out); }) {
+            Format::real_lanes(n, c, out);
+        } else {
+            const std::size_t count = std::min(c.size(), out.size());
+            for (std::size_t i = 0; i < count; ++i) out[i] = f_.real(c[i], n);
+        }
     }
 
 private:
@@ -41,6 +51,9 @@ private:
     }
     void batch(std::span<const std::uint16_t> n, std::span<const std::int32_t> cos_code,
                std::span<std::uint32_t> packed) const override {
+        if constexpr (requires { f_.has_lanes(); }) {
+            if (f_.has_lanes()) return Format::lanes(f_, n.data(), cos_code.data(), packed.data(), n.size());
+        }
         const std::int32_t one = profile().one();
         for (std::size_t i = 0; i < n.size(); ++i) {
             const Corrected in = correct(n[i], cos_code[i], one);
@@ -124,6 +137,13 @@ std::vector<GeneratedFile> generated_sources(std::string_view lobe, const Profil
 /// e.g. "F, S, O: 18, 15, 12".
 GeneratedFile gappa_script(std::string_view lobe, const Profile& profile, std::string_view format,
                            std::string_view body);
+
+/// The least cosine code at which the intermediate value `name` of a model is at least `least`. Legal: a value that is
+/// at c = 1, and at every cosine above one at which it is.
+std::int32_t first_code(const GoldenModel& model, int n, std::string_view name, std::int64_t least = 1);
+
+/// What covers a case that the ports correct.
+inline const std::vector<std::string_view> covered_illegal{"illegal", "kernel", "oracle"};
 
 /// The cases that belong to every lobe, legal and illegal: n at its ends, c = 0, 1 ulp, 1 - 1 ulp .. 1 - 16 ulp, 1, and
 /// all that the ports correct. A lobe's own come after them.

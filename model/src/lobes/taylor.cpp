@@ -187,27 +187,9 @@ std::vector<GeneratedFile> emit_taylor(const Profile& profile, const Architectur
 
 std::vector<HardCase> taylor_hard_cases(const GoldenModel& model) {
     const int one = model.profile().one();
-    const std::string everywhere = "cosim.lobes.exhaustive, labels hls and oracle";
     auto cases = common_hard_cases(model);
     const auto add = [&](std::string name, int n, std::int32_t code, std::string risk) {
-        cases.push_back({std::move(name), n, code, std::move(risk), everywhere});
-    };
-    // The least code whose base, or whose result, is not 0: both rise with c.
-    const auto first = [&](int n, bool result) {
-        std::int32_t low = 0;
-        std::int32_t high = one;
-        while (low < high) {
-            const std::int32_t middle = low + (high - low) / 2;
-            const auto trace = model.trace(n, middle);
-            const auto r = std::ranges::find(trace, "r", &Intermediate::name);
-            const bool zero = result ? trace.back().code == 0 : r->code == 0;
-            if (zero) {
-                low = middle + 1;
-            } else {
-                high = middle;
-            }
-        }
-        return low;
+        cases.push_back({std::move(name), n, code, std::move(risk)});
     };
     add("n = 7, c = 0", 7, 0, "x = 0.71: the only n with a rounded tail of its own, never cut");
     add("n = 9, c = 0", 9, 0, "x = 0.91, v small: not cut");
@@ -217,11 +199,11 @@ std::vector<HardCase> taylor_hard_cases(const GoldenModel& model) {
     add("n = 7, c = 1", 7, one, "the square of v = 1 needs the bit that the base adds 1/2 to");
     add("largest x", 1023, 0, "1023 * 1.625 needs all of its E + 11 bits");
     for (const int n : {50, 1023}) {
-        const std::int32_t cut = first(n, false);
+        const std::int32_t cut = first_code(model, n, "r");
         add(fmt::format("n = {}, last base cut to 0", n), n, cut - 1,
             "x just above 1: without the cut the base would grow again");
         add(fmt::format("n = {}, first base above 0", n), n, cut, "x just below 1: the base jumps from 0 to 1/2");
-        const std::int32_t nonzero = first(n, true);
+        const std::int32_t nonzero = first_code(model, n, "y");
         add(fmt::format("n = {}, last result 0", n), n, nonzero - 1, "rounding of the last product, or the jump");
         add(fmt::format("n = {}, first result above 0", n), n, nonzero, "rounding of the last product, or the jump");
     }
