@@ -31,16 +31,9 @@ uint<Constants::L + 5> log2(uint<Constants::F + 1> C) {
     // Zeros before the leading one of F + 1 bits, 0 .. F, by halves: a step shifts where that loses nothing.
     uint<F + 1> normal = C;
     uint<5> z = 0;
-#ifdef GLINT_HLS_PRAGMAS
-#pragma hls_unroll yes
-#ifdef __BAMBU__
-#pragma clang loop unroll(full)
-#endif
-#endif
+    GLINT_UNROLL
     for (int step = 4; step >= 0; --step) {
-#ifdef GLINT_HLS_PRAGMAS
-#pragma HLS UNROLL
-#endif
+        GLINT_UNROLL_VITIS
         const int count = 1 << step;
         if (count <= F && (normal >> (F + 1 - count)) == 0) {
             normal = to_uint<F + 1>(normal << count);

@@ -16,6 +16,20 @@
 #define GLINT_HLS_PRAGMAS
 #endif
 
+// GLINT_UNROLL before a loop and GLINT_UNROLL_VITIS as its first line: every pass of it in hardware of its own.
+#ifdef __BAMBU__
+#define GLINT_UNROLL_BAMBU _Pragma("clang loop unroll(full)")
+#else
+#define GLINT_UNROLL_BAMBU
+#endif
+#ifdef GLINT_HLS_PRAGMAS
+#define GLINT_UNROLL _Pragma("hls_unroll yes") GLINT_UNROLL_BAMBU
+#define GLINT_UNROLL_VITIS _Pragma("HLS UNROLL")
+#else
+#define GLINT_UNROLL
+#define GLINT_UNROLL_VITIS
+#endif
+
 namespace glint_hls {
 
 // What C++14 leaves to the implementation and the helpers below rest on.

@@ -13,16 +13,9 @@ template <int Y_W>
 uint<Y_W> floor_sqrt(uint<2 * Y_W> x) {
     uint<Y_W + 1> remainder = 0;
     uint<Y_W> root = 0;
-#ifdef GLINT_HLS_PRAGMAS
-#pragma hls_unroll yes
-#ifdef __BAMBU__
-#pragma clang loop unroll(full)
-#endif
-#endif
+    GLINT_UNROLL
     for (int step = Y_W - 1; step >= 0; --step) {
-#ifdef GLINT_HLS_PRAGMAS
-#pragma HLS UNROLL
-#endif
+        GLINT_UNROLL_VITIS
         const uint<2> bits = to_uint<2>(x >> (2 * step));
         const uint<Y_W + 2> shifted = to_uint<Y_W + 2>(to_uint<Y_W + 2>(to_uint<Y_W + 2>(remainder) << 2) | bits);
         const uint<Y_W + 2> trial = to_uint<Y_W + 2>(to_uint<Y_W + 2>(to_uint<Y_W + 2>(root) << 2) | 1U);

@@ -40,16 +40,9 @@ template <int S, int D_W>
 uint<S + 1> divide(uint<D_W> x, uint<D_W> D) {
     uint<D_W + 1> partial = x;
     uint<S + 1> quotient = 0;
-#ifdef GLINT_HLS_PRAGMAS
-#pragma hls_unroll yes
-#ifdef __BAMBU__
-#pragma clang loop unroll(full)
-#endif
-#endif
+    GLINT_UNROLL
     for (int step = 0; step <= S; ++step) {
-#ifdef GLINT_HLS_PRAGMAS
-#pragma HLS UNROLL
-#endif
+        GLINT_UNROLL_VITIS
         const bool fits = partial >= D;
         const uint<D_W> reduced = to_uint<D_W>(partial - D);
         const uint<D_W> remainder = fits ? reduced : to_uint<D_W>(partial);
@@ -86,16 +79,9 @@ template <int S, int O, int SQUARES>
 uint<O + 1> power(uint<S + 1> r, uint<3> chosen) {
     uint<S + 1> powers[SQUARES + 1];
     powers[0] = r;
-#ifdef GLINT_HLS_PRAGMAS
-#pragma hls_unroll yes
-#ifdef __BAMBU__
-#pragma clang loop unroll(full)
-#endif
-#endif
+    GLINT_UNROLL
     for (int i = 1; i <= SQUARES; ++i) {
-#ifdef GLINT_HLS_PRAGMAS
-#pragma HLS UNROLL
-#endif
+        GLINT_UNROLL_VITIS
         powers[i] = square<S, S>(powers[i - 1]);
     }
     const uint<S + 1> one = to_uint<S + 1>(uint<S + 1>{1} << S);

@@ -63,16 +63,9 @@ std::uint32_t polynomial(uint<10> n, sint<Constants::F + 2> cos_code) {
     constexpr int H_W = K + I + 1;
     constexpr int SUM_W = H_W + S;
     sint<H_W> h = to_sint<H_W>(coefficient<Constants>(DEGREE));
-#ifdef GLINT_HLS_PRAGMAS
-#pragma hls_unroll yes
-#ifdef __BAMBU__
-#pragma clang loop unroll(full)
-#endif
-#endif
+    GLINT_UNROLL
     for (int i = DEGREE - 1; i > 0; --i) {
-#ifdef GLINT_HLS_PRAGMAS
-#pragma HLS UNROLL
-#endif
+        GLINT_UNROLL_VITIS
         h = to_sint<H_W>(to_sint<H_W>(coefficient<Constants>(i)) + to_sint<H_W>(rnd<S>(product<SUM_W>(h, quotient))));
     }
     const sint<SUM_W> k0 = to_sint<SUM_W>(Constants::k0 * (std::int64_t{1} << S));

@@ -3,12 +3,11 @@
 #include <map>
 #include <string>
 
-#include "catch.hpp"
 #include "glint/error.hpp"
 #include "glint/fixed_point.hpp"
-#include "glint/lobes.hpp"
 #include "glint/reference.hpp"
 #include "glint/vectors.hpp"
+#include "lobe_checks.hpp"
 
 using namespace glint;
 
@@ -48,14 +47,6 @@ Plain plain(const Format& f, int n, std::int64_t C) {
     x.h2 = f.c1 + wide_rnd(x.h1 * x.quotient, f.S);
     x.y = std::max<Wide>(0, wide_rnd(x.h2 * x.quotient + (Wide{f.d0} << f.S), f.S + f.K - f.O));
     return x;
-}
-
-std::int64_t value(const std::vector<Intermediate>& trace, std::string_view name) {
-    for (const Intermediate& i : trace) {
-        if (i.name == name) return i.code;
-    }
-    FAIL("no intermediate " << name);
-    return 0;
 }
 
 const std::vector<std::string> formats{"p8",          "p12",       "p16",         "8,4,7,4",     "30,30,30,28",

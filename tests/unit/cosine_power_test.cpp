@@ -3,10 +3,9 @@
 #include <string>
 #include <vector>
 
-#include "catch.hpp"
 #include "glint/error.hpp"
-#include "glint/lobes.hpp"
 #include "glint/sweep.hpp"
+#include "lobe_checks.hpp"
 
 using namespace glint;
 
@@ -40,11 +39,6 @@ void plain(const Format& f, int n, std::int64_t C, Plain& x) {
     }
     x.y = x.p.back();
     x.p.pop_back();
-}
-
-bool unsigned_bits(std::int64_t x, int bits) { return x >= 0 && x < std::int64_t{1} << bits; }
-bool signed_bits(std::int64_t x, int bits) {
-    return x >= -(std::int64_t{1} << (bits - 1)) && x < std::int64_t{1} << (bits - 1);
 }
 
 /// The widths that rtl/glint_cosine_power.v and hls/lobes/glint_cosine_power.hpp declare.

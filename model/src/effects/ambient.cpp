@@ -26,8 +26,7 @@ private:
     std::vector<Intermediate> intermediates(const std::int64_t* in) const override {
         std::int64_t out[3];
         value(in, out);
-        std::vector<Intermediate> values;
-        for (std::size_t p = 0; p < 6; ++p) values.push_back({inputs()[p].name, in[p], profile().O});
+        std::vector<Intermediate> values = after_inputs(in, {});
         for (std::size_t p = 0; p < 3; ++p) values.push_back({outputs()[p].name, out[p], profile().O});
         return values;
     }

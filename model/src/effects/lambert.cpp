@@ -23,7 +23,7 @@ private:
     std::vector<Intermediate> intermediates(const std::int64_t* in) const override {
         std::int64_t y = 0;
         value(in, &y);
-        return {{"nl", in[0], profile().F}, {"y", y, profile().O}};
+        return after_inputs(in, {{"y", y, profile().O}});
     }
 
     void real(const double* in, double* out) const override { out[0] = std::max(0.0, in[0]); }

@@ -66,9 +66,7 @@ private:
 
     std::vector<Intermediate> intermediates(const std::int64_t* in) const override {
         const OrenNayarFormat::Steps x = f_.steps(in[0], in[1], in[2], in[3], in[4]);
-        return {{"nl", in[0], f_.F},      {"nv", in[1], f_.F}, {"lv", in[2], f_.F},
-                {"a", in[3], f_.S},       {"b", in[4], f_.S},  {"q", x.q, f_.S},
-                {"ratio", x.ratio, f_.S}, {"p", x.p, f_.S},    {"y", x.y, f_.O}};
+        return after_inputs(in, {{"q", x.q, f_.S}, {"ratio", x.ratio, f_.S}, {"p", x.p, f_.S}, {"y", x.y, f_.O}});
     }
 
     void real(const double* in, double* out) const override {

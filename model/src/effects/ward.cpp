@@ -111,19 +111,14 @@ private:
 
     std::vector<Intermediate> intermediates(const std::int64_t* in) const override {
         const WardFormat::Steps x = f_.steps(in);
-        std::vector<Intermediate> values;
-        for (std::size_t p = 0; p < inputs().size(); ++p) {
-            values.push_back({inputs()[p].name, in[p], inputs()[p].fraction_bits});
-        }
-        values.insert(values.end(), {{"hx", x.hx, f_.H},
-                                     {"hy", x.hy, f_.H},
-                                     {"r2", x.r2, f_.S},
-                                     {"t", x.t, f_.S},
-                                     {"ul", x.ul, f_.L},
-                                     {"uv", x.uv, f_.L},
-                                     {"e", x.e, f_.S},
-                                     {"y", x.y, f_.O}});
-        return values;
+        return after_inputs(in, {{"hx", x.hx, f_.H},
+                                 {"hy", x.hy, f_.H},
+                                 {"r2", x.r2, f_.S},
+                                 {"t", x.t, f_.S},
+                                 {"ul", x.ul, f_.L},
+                                 {"uv", x.uv, f_.L},
+                                 {"e", x.e, f_.S},
+                                 {"y", x.y, f_.O}});
     }
 
     // Powers and roots of the peak, of sqrt(nl / nv) and of the exponential in one: none alone is finite for all.

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "lobe.hpp"
+#include "powers.hpp"
 
 namespace glint {
 namespace {
@@ -137,24 +138,13 @@ error = (y - s4 * s4) * 1b{O};
 
 # The powers of C.
 C_r = floor_S(C);
-C_r2 = rnd_S(C_r * C_r);
-C_r4 = rnd_S(C_r2 * C_r2);
-C2 = C * C;
-C4 = C2 * C2;
-error_1 = (rnd_O(C_r) - C) * 1b{O};
-error_2 = (rnd_O(C_r * C_r) - C2) * 1b{O};
-error_3 = (rnd_O(C_r2 * C_r) - C2 * C) * 1b{O};
-error_4 = (rnd_O(C_r2 * C_r2) - C4) * 1b{O};
-error_5 = (rnd_O(C_r4 * C_r) - C4 * C) * 1b{O};
-error_6 = (rnd_O(C_r4 * C_r2) - C4 * C2) * 1b{O};
-error_8 = (rnd_O(C_r4 * C_r4) - C4 * C4) * 1b{O};
+{small_powers}
 
 {{ C in [0, 1] /\ n in [7, 1023] /\ num >= 0 /\ den - num >= 0 ->
   # Claimed, since the words of the hardware rest on it.
   m in [-1, 1015] /\ x in [-1, 1015] /\ den in [14, 1099] /\ r in [0, 1] /\ r2 in [0, 1] /\ r4 in [0, 1] /\
   y in [0, 1] /\
-  error_1 in [-1, 1] /\ error_2 in [-1, 1] /\ error_3 in [-1, 1] /\ error_4 in [-1, 1] /\ error_5 in [-1, 1] /\
-  error_6 in [-1, 1] /\ error_8 in [-1, 1] /\
+  {small_power_claims}
   # What is asked.
   m in ? /\ x in ? /\ num in ? /\ den in ? /\ r in ? /\ r2 in ? /\ r4 in ? /\ y in ? /\ error in ? }}
 
@@ -169,7 +159,9 @@ r * r - s2 -> (r - s) * (r + s);
 r2 * r2 - s4 -> (r2 - s2) * (r2 + s2);
 r4 * r4 - s4 * s4 -> (r4 - s4) * (r4 + s4);
 )",
-                       fmt::arg("F", f.F), fmt::arg("S", f.S), fmt::arg("O", f.O), fmt::arg("tail", 8 * (f.F + 3)));
+                       fmt::arg("F", f.F), fmt::arg("S", f.S), fmt::arg("O", f.O),
+                       fmt::arg("small_powers", gappa_small_powers(f.O)),
+                       fmt::arg("small_power_claims", gappa_small_power_claims), fmt::arg("tail", 8 * (f.F + 3)));
 }
 
 std::vector<GeneratedFile> emit_cayley(const Profile& profile, const Architecture& architecture) {

@@ -2,7 +2,6 @@
 // files.
 #pragma once
 
-#include <array>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -63,24 +62,6 @@ private:
 
     Format f_;
 };
-
-/// The powers 1, 2, 4, 8, 16 of a fraction r = 0 .. 2^S by repeated squaring, each rounded to S bits.
-using Powers = std::array<std::int64_t, 5>;
-inline Powers powers_by_squaring(std::int64_t r, int S) {
-    Powers p{r};
-    for (std::size_t i = 1; i < p.size(); ++i) p[i] = rnd(p[i - 1] * p[i - 1], S);
-    return p;
-}
-
-/// A power of r at O bits, as one product of two of `p` (or of r and 1.0): `power` is 1 .. 6, 8, 16 or 32.
-inline std::int64_t power_of(const Powers& p, int power, int S, int O) {
-    const std::int64_t left = power <= 2 ? p[0] : power <= 4 ? p[1] : power <= 8 ? p[2] : power == 16 ? p[3] : p[4];
-    const std::int64_t right = power == 1                               ? std::int64_t{1} << S
-                               : power == 2 || power == 3 || power == 5 ? p[0]
-                               : power == 4 || power == 6               ? p[1]
-                                                                        : left;
-    return rnd(left * right, 2 * S - O);
-}
 
 /// A number of a custom profile within its legal range. Throws Error.
 int in_range(std::string_view lobe, std::string_view what, int value, int low, int high);
