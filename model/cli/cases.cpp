@@ -37,8 +37,9 @@ std::string markdown(const HardCaseTable& table) {
 
 std::string page() {
     std::string out = fmt::format(
-        "# Hard cases\n\nWritten by `glint cases`; a test keeps it current. {}Which test an id stands for: "
-        "tests/hard_cases/covered.json.\n",
+        "# Hard cases\n\nWritten by `glint cases`; a test keeps it current. tests/hard_cases/covered.json has the "
+        "tests of "
+        "each id.\n{}",
         hard_case_legend());
     for (const HardCaseTable& table : all_tables()) out += markdown(table);
     return out;

@@ -154,7 +154,7 @@ std::vector<GeneratedFile> emit_cubic(const Profile& profile, const Architecture
 # A name here has the meaning of docs/lobes/cubic.md, but stands for the value, not the code: t is n X / 2^F, T its
 # rounding to S bits, g1 .. g3 are the coefficients of some n, g1_K .. g3_K their roundings to K bits; y is before the
 # cut of what is below 0, which brings no two numbers further apart. Where X >= cut, y and the real function are both 0.
-# The ranges of the coefficients, and that t <= 3 where it counts, are those of the table: tests/unit/cubic_test.cpp.
+# The ranges of the coefficients, and that t <= 3 where it counts, are those of the table: a unit test reads them there.
 #@-Wno-null-denominator
 
 @rnd_S = fixed<-{S}, nu>;

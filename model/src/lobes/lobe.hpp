@@ -114,7 +114,7 @@ std::vector<GeneratedFile> generated_sources(std::string_view lobe, const Profil
                                              const std::vector<Constant>& hls_constants,
                                              const std::vector<Table>& tables = {});
 
-/// The Gappa script of a lobe at a profile, headed as proofs/gappa/run.py wants it. `format` says the word lengths,
+/// The Gappa script of a lobe at a profile, headed as the runner of the proofs wants it. `format` says the word lengths,
 /// e.g. "F, S, O: 18, 15, 12".
 GeneratedFile gappa_script(std::string_view lobe, const Profile& profile, std::string_view format,
                            std::string_view body);

@@ -17,7 +17,7 @@ struct Polynomial {
     std::vector<double> coefficients;  ///< of the powers 0, 1, ...: 3 to 7 of them
 };
 
-/// The least squares fit of docs/lobes/fit_polynomial.py, rounded to four decimals: 0 at t = 0, 1 at t = 1.
+/// The least squares fit of its document, rounded to four decimals: 0 at t = 0, 1 at t = 1.
 const Polynomial& shipped_polynomial() {
     static const Polynomial polynomial{Variable::symmetric,
                                        {polynomial_coefficients.begin(), polynomial_coefficients.end()}};
