@@ -1,5 +1,8 @@
 #include "glint/emit.hpp"
 
+#include <iterator>
+#include <set>
+
 #include <fmt/format.h>
 
 #include "commands.hpp"
@@ -18,6 +21,7 @@ struct Options {
     std::string architecture;
     std::string target = "all";
     std::string folder = ".";
+    bool manifest = false;
 };
 
 std::string_view name(GeneratedFile::Target target) {
@@ -39,13 +43,32 @@ std::string measured_bound(const GoldenModel& model) {
     return fmt::format("{:.4f} ulp, measured over all {} inputs", result.total.rounding.value, result.total.inputs);
 }
 
+void write(const std::filesystem::path& path, const std::string& text) {
+    write_file(path, text);
+    fmt::print("{}\n", path.string());
+}
+
+/// The manifest of units and a list of the files of each: `lists` is their folder.
+void write_units(const std::vector<HardwareUnit>& units, const std::filesystem::path& folder,
+                 const std::filesystem::path& lists, const FileRoots& in_manifest, const FileRoots& in_lists) {
+    write(folder / "units.json", manifest(units, in_manifest));
+    for (const HardwareUnit& unit : units) write(lists / (unit.name + ".f"), file_list(unit, in_lists));
+}
+
+/// Each file once, though several units may be made of it.
 void write(const std::vector<GeneratedFile>& files, const Options& options) {
+    const std::filesystem::path folder = options.folder;
+    make_folder(options.folder);
+    std::set<std::string> written;
+    std::vector<HardwareUnit> units;
     for (const GeneratedFile& file : files) {
         if (options.target != "all" && options.target != name(file.target)) continue;
-        const std::filesystem::path path = std::filesystem::path(options.folder) / file.name;
-        write_file(path, file.text);
-        fmt::print("{}\n", path.string());
+        if (!written.insert(file.name).second) continue;
+        write(folder / file.name, file.text);
+        if (file.unit) units.push_back(*file.unit);
     }
+    if (units.empty()) return;
+    write_units(units, folder, folder, emitted_paths, emitted_list);
 }
 
 int run_emit(const Options& options) {
@@ -53,25 +76,34 @@ int run_emit(const Options& options) {
         options.target != "proof") {
         throw Error(fmt::format("target '{}' is not legal: verilog, hls, proof or all", options.target));
     }
-    if (!options.effect.empty()) {
-        const Effect& effect = find_effect(options.effect);
-        // All before the first is written: a profile that is not legal leaves nothing behind.
-        std::vector<std::vector<GeneratedFile>> files;
-        for (const std::string& text : split_profiles(options.profile)) {
-            files.push_back(effect.emit(parse_profile(text), options.lobe));
-        }
-        make_folder(options.folder);
-        for (const auto& list : files) write(list, options);
+    if (options.manifest) {
+        const std::filesystem::path folder = options.folder;
+        make_folder((folder / "generated").string());
+        write_units(committed_units(), folder, folder / "generated", committed_paths, committed_list);
         return success;
     }
-    make_folder(options.folder);
+    // All before the first is written: a profile that is not legal leaves nothing behind.
+    std::vector<GeneratedFile> files;
+    const auto add = [&](std::vector<GeneratedFile> more) {
+        std::move(more.begin(), more.end(), std::back_inserter(files));
+    };
+    if (!options.effect.empty()) {
+        const Effect& effect = find_effect(options.effect);
+        for (const std::string& text : split_profiles(options.profile)) {
+            add(effect.emit(parse_profile(text), options.lobe));
+        }
+        write(files, options);
+        return success;
+    }
     const LobeChoice choice = parse_lobe(options.lobe);
     const Lobe& lobe = *choice.lobe;
     const Architecture architecture =
         options.architecture.empty() ? default_architecture(lobe) : parse_architecture(lobe, options.architecture);
-    for (const std::string& text : split_profiles(options.profile)) {
+    const std::vector<std::string> profiles = split_profiles(options.profile);
+    for (const std::string& text : profiles) add(lobe.emit(choice.profile(text), architecture));
+    write(files, options);
+    for (const std::string& text : profiles) {
         const Profile profile = choice.profile(text);
-        write(lobe.emit(profile, architecture), options);
         if (!profile.shipped() || !profile.options.empty()) {
             fmt::print("{} {}: rounding error {}\n", lobe.name, text, measured_bound(*lobe.golden(profile)));
         }
@@ -93,6 +125,8 @@ void add_emit(CLI::App& app, Chosen& chosen) {
                         "How the Verilog is built: iterative, radix4:r2, ... (docs/rtl.md)");
     command->add_option("--target", options->target, "verilog, hls, proof or all")->capture_default_str();
     command->add_option("-o,--output", options->folder, "Folder")->capture_default_str();
+    command->add_flag("--manifest", options->manifest,
+                      "Only units.json and the lists of files of the units in rtl/ (docs/rtl.md)");
     command->footer("Example: glint emit --lobe bps --profile 18,14,14,12 -o out");
     command->callback([=, &chosen] { chosen.run = [=] { return run_emit(*options); }; });
 }

@@ -167,7 +167,7 @@ std::vector<Source> effect_files(const Effect& effect, const Profile& profile, c
         names.push_back(effect.name);
     }
     for (const std::string_view name : names) {
-        for (GeneratedFile& file : find_effect(name).emit(profile, lobe_name)) files.push_back(std::move(file));
+        files.push_back(find_effect(name).emit(profile, lobe_name).front());
     }
     std::vector<Source> out;
     for (const GeneratedFile& file : files) {

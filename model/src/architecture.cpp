@@ -15,12 +15,20 @@ namespace {
 
 struct Divider {
     std::string_view name;
-    bool rows;  ///< of its rows, some may share a clock
+    bool rows;                           ///< of its rows, some may share a clock
+    bool pipeline;                       ///< takes operands every clock
+    int (*clocks)(int Q, int R, int M);  ///< for Q quotient bits, R rows in a clock, products of M clocks
 };
 
-/// In the order of the parameter DIVIDER.
+/// x / y, rounded up.
+constexpr int up(int x, int y) { return (x + y - 1) / y; }
+
+/// In the order of the parameter DIVIDER; glint_ports.v has the same clocks.
 constexpr std::array<Divider, 4> dividers{
-    {{"restoring", true}, {"radix4", true}, {"iterative", false}, {"reciprocal", false}}};
+    {{"restoring", true, true, [](int Q, int R, int) { return up(Q, R); }},
+     {"radix4", true, true, [](int Q, int R, int) { return 1 + up(up(Q, 2), R); }},
+     {"iterative", false, false, [](int Q, int, int) { return Q + 1; }},
+     {"reciprocal", false, true, [](int Q, int, int M) { return 1 + M + up(Q, 16) * (2 * M + 1); }}}};
 constexpr int most_rows = 32;
 constexpr int most_stages = 4;
 
@@ -65,6 +73,35 @@ Architecture parse_architecture(const Lobe& lobe, std::string_view text) {
     }
     out.parameters.emplace_back("MULTIPLIER_STAGES", *stages);
     return out;
+}
+
+int Architecture::parameter(std::string_view name_of_it, int otherwise) const {
+    const auto found =
+        std::find_if(parameters.begin(), parameters.end(), [&](const auto& p) { return p.first == name_of_it; });
+    return found == parameters.end() ? otherwise : found->second;
+}
+
+std::vector<Architecture> listed_architectures(const Lobe& lobe) {
+    std::vector<Architecture> out;
+    for (const std::string_view stages : {"", ":m2"}) {
+        if (!lobe.divider) out.push_back(parse_architecture(lobe, fmt::format("pipelined{}", stages)));
+        for (const Divider& divider : dividers) {
+            if (lobe.divider) out.push_back(parse_architecture(lobe, fmt::format("{}{}", divider.name, stages)));
+        }
+    }
+    if (lobe.divider) out.push_back(parse_architecture(lobe, "restoring:r3:m3"));
+    return out;
+}
+
+int division_clocks(const Architecture& architecture, int quotient_bits) {
+    if (quotient_bits == 0) return 0;
+    const Divider& divider = dividers[static_cast<std::size_t>(architecture.parameter("DIVIDER", 0))];
+    return divider.clocks(quotient_bits, architecture.parameter("REGISTER_EVERY", 1),
+                          architecture.parameter("MULTIPLIER_STAGES", 1));
+}
+
+bool takes_one_a_clock(const Architecture& architecture) {
+    return dividers[static_cast<std::size_t>(architecture.parameter("DIVIDER", 0))].pipeline;
 }
 
 Architecture default_architecture(const Lobe& lobe) {

@@ -23,6 +23,11 @@ from dataclasses import dataclass, field
 
 HERE = pathlib.Path(__file__).resolve().parent
 RTL = HERE.parent.parent / "rtl"
+sys.path.append(str(RTL.parent / "tests/rtl"))
+import units  # noqa: E402
+
+UNITS = units.units()
+MODULES = units.modules()
 MOST_SECONDS = 120  # of processor time, for one way of asking the solver
 PROGRAMS = {"yosys": "yosys", "yosys-smtbmc": "yosys", "z3": "z3"}  # and the package of each
 
@@ -53,11 +58,11 @@ class Task:
 
 # Every lobe of the registry is proven at the word lengths of its generated wrappers. For covers and planted bugs, which
 # want a short latency, bps has the smallest that are legal; other lobes are covered at p8.
-LOBES = re.findall(r"^GLINT_LOBE\((\w+)\)$", (RTL.parent / "model/include/glint/lobes.def").read_text(), re.M)
+LOBES = list(dict.fromkeys(unit["lobe"] for unit in UNITS.values() if unit["kind"] == "lobe"))
 SMALL = {"bps": {"F": 8, "S": 4, "K": 4, "O": 4}}
 BUGGED = "bps"  # proven at every shipped profile, the others at p12; bugs of what the lobes share are planted here
 SHORT = ("lambert", "ambient", "tint")  # effects of a few clocks; bugs of what they share are planted in the first
-EFFECTS = re.findall(r"^GLINT_EFFECT\((\w+)\)$", (RTL.parent / "model/include/glint/effects.def").read_text(), re.M)
+EFFECTS = list(dict.fromkeys(unit["effect"] for unit in UNITS.values() if unit["kind"] == "effect"))
 KINDS = ("unit", "axis", "effect", "highlight")  # each has its property file
 TAG_W = 16
 DIVIDERS = {"p8": (28, 26, 12), "p12": (34, 28, 16), "p16": (40, 30, 20)}  # X_W, Y_W, Q_W in bps
@@ -181,11 +186,8 @@ def bugs(group, top, kind, parameters, depth, module, table, defines=()):
 
 def word_lengths(lobe, profile):
     """The integer parameters that the generated wrapper of a unit sets."""
-    wrapper = RTL / "generated" / f"glint_{lobe}_{profile}.v"
-    if not wrapper.exists():
-        raise UsageError(f"{lobe} has no {wrapper.name} in {wrapper.parent}")
-    found = re.findall(r"^ +\.([A-Z]\w*) *\((\d+)\),$", wrapper.read_text(), re.M)
-    return {name: int(value) for name, value in found}
+    numbers = UNITS[f"glint_{lobe}_{profile}"]["core"]["parameters"]
+    return {name: int(value) for name, value in numbers.items() if value.isdigit()}
 
 
 def divider(x, y, q):
@@ -229,13 +231,13 @@ def tasks():
             Task("sqrt.cover", "not vacuous", "glint_sqrt", "sqrt", {"Y_W": 5}, "cover", 12, defines=("MULTIPLY",)),
             *bugs("sqrt", "glint_sqrt", "sqrt", {"Y_W": 5}, 9, "glint_sqrt", SQRT_BUGS, ("MULTIPLY",))]
     for lobe in LOBES:
-        small = SMALL.get(lobe) or word_lengths(lobe, "p8")
+        small = {**word_lengths(lobe, "p8"), **SMALL.get(lobe, {})}
         unit, wrapper = f"glint_{lobe}", f"glint_{lobe}_axis_p12"
         for profile in ("p8", "p12", "p16") if lobe == BUGGED else ("p12",):
             numbers = word_lengths(lobe, profile)
             out += [Task(f"{lobe}.{profile}", HANDSHAKE, unit, "unit", {**numbers, "TAG_W": TAG_W}, "induction", 2),
                     Task(f"axis.{lobe}.{profile}", HANDSHAKE + "; operands and result kept",
-                         f"{unit}_axis_{profile}", "axis", {**numbers, "USER_W": TAG_W}, "induction", 3)]
+                         wrapper, "axis", {**numbers, "USER_W": TAG_W}, "induction", 3)]
         core = {**small, "TAG_W": 2}
         axis = {**small, "USER_W": 1}
         out += [Task(f"{lobe}.cover", "not vacuous", unit, "unit", core, "cover", 60),
@@ -284,7 +286,7 @@ def of_shade():
 def of_effect(effect):
     """The tasks of an effect: proven at p12; those of a few clocks, and one around a lobe, covered at p8."""
     unit = f"glint_effect_{effect}"
-    if (RTL / f"{unit}.v").exists():
+    if unit in MODULES:
         kind, tops = "effect", {profile: unit for profile in ("p8", "p12")}
         numbers = {profile: word_lengths(f"effect_{effect}", profile) for profile in tops}
     else:  # it stands around a lobe
@@ -310,46 +312,41 @@ def of_effect(effect):
 
 def needed(*tops):
     """The modules and all that they instantiate, directly or not."""
-    found, left = {}, list(tops)
-    while left:
-        name = left.pop()
-        path = RTL / f"{name}.v"
-        if not path.exists():
-            raise UsageError(f"module {name} has no file {path.name} in {RTL}")
-        found[name] = path.read_text()
-        left += [n for n in re.findall(r"^\s*(glint_\w+) #\(", found[name], re.M) if n not in found]
-    return found
+    return {path.stem: path.read_text() for top in tops for path in MODULES[top]}
 
 
-def wrapper_at_any_size(lobe, profile, names):
-    """The generated AXI4-Stream wrapper with parameters for its numbers, around the unit in the place of its wrapper."""
-    module = f"glint_{lobe}_axis_{profile}"
-    text = (RTL / "generated" / f"{module}.v").read_text()
-    F, O = (word_lengths(lobe, profile)[name] for name in "FO")
+def wrapper_at_any_size(module, names):
+    """A generated AXI4-Stream wrapper with parameters for its numbers, around the unit in the place of its wrapper."""
+    unit = UNITS[module]
+    text, core = unit["files"][-1].read_text(), unit["core"]["module"]
+    F, O = unit["F"], unit["O"]
     declared = "".join(f", {name} = 0" for name in ["LATENCY", *names])
     passed = "".join(f".{name}({name}), " for name in names)
     for old, new in (("parameter USER_W = 16", f"parameter USER_W = 16{declared}"), (f".F     ({F})", ".F     (F)"),
                      (f".O     ({O})", ".O     (O)"), (f"[{F + 1}:0] cosine;", "[F+1:0] cosine;"),
-                     (f"[{O}:0] y;", "[O:0] y;"), (f"glint_{lobe}_{profile} #(", f"glint_{lobe} #({passed}")):
+                     (f"[{O}:0] y;", "[O:0] y;"), (f"{core} #(", f"{UNITS[core]['core']['module']} #({passed}")):
         text = edited(module, text, old, new)
     return text
 
 
 def around_lobe(module):
     """The generated wrapper of phong or blinn_phong, around the unit in the place of its wrapper; that unit, and its numbers."""
-    lobe, profile = re.fullmatch(r"glint_effect_\w+?_((?:%s)_p\d+)" % "|".join(LOBES), module).group(1).rsplit("_", 1)
+    unit = UNITS[module]
+    lobe, profile = unit["lobe"], unit["profile"]
     numbers = word_lengths(lobe, profile)
     passed = "".join(f".{name}({value}), " for name, value in numbers.items())
-    text = edited(module, (RTL / "generated" / f"{module}.v").read_text(), f"glint_{lobe}_{profile} #(", f"glint_{lobe} #({passed}")
+    text = edited(module, unit["files"][-1].read_text(), f"glint_{lobe}_{profile} #(", f"glint_{lobe} #({passed}")
     return text, f"glint_{lobe}", numbers
 
 
-def declared_result(text):
-    """RESULT_W and result: the outputs of an effect's unit but those of the handshake and to tables, side by side."""
-    ports = [(width or "0", name) for width, name in re.findall(r"^ +output wire +(?:\[(.+):0\] +)?(\w+_o)\b", text, re.M)
-             if name not in ("valid_o", "ready_o", "tag_o", "clamped_o") and not re.search("_(address|enable)_o$", name)]
-    return (f"localparam RESULT_W = {' + '.join(f'{width} + 1' for width, _ in ports)};\n"
-            f"wire [RESULT_W-1:0] result = {{{', '.join(name for _, name in ports)}}};\n")
+def declared_result(top, numbers):
+    """RESULT_W and result: the outputs of an effect's unit but those of the handshake, side by side."""
+    unit = next(unit for unit in UNITS.values() if unit["name"] == top or unit["core"]["module"] == top
+                and all(unit["core"]["parameters"][name] == str(value) for name, value in numbers.items()))
+    ports = [port for port in unit["ports"] if port["direction"] == "output"
+             and port["name"] not in ("valid_o", "ready_o", "tag_o", "clamped_o")]
+    return (f"localparam RESULT_W = {sum(port['width'] for port in ports)};\n"
+            f"wire [RESULT_W-1:0] result = {{{', '.join(port['name'] for port in ports)}}};\n")
 
 
 def edited(name, text, old, new):
@@ -362,7 +359,7 @@ def latency(unit, parameters, folder, frame="ports"):
     """The clocks from an input of the unit to its result: as many as its glint_ports or glint_stream has valid bits."""
     chosen = " ".join(f"-chparam {name} {value}" for name, value in parameters.items())
     (folder / "latency.ys").write_text(
-        f"read_verilog -formal -defer -D SYNTHESIS {' '.join(str(RTL / f'{name}.v') for name in needed(unit))}\n"
+        f"read_verilog -formal -defer -D SYNTHESIS {' '.join(map(str, MODULES[unit]))}\n"
         f"hierarchy -check -top {unit} {chosen}\nproc\nflatten\nwrite_rtlil latency.il\n")
     run(["yosys", "-q", "-l", "latency.log", "latency.ys"], folder, "Yosys")
     return int(re.search(rf"^  wire width (\d+) \\{frame}\.valid_q$", (folder / "latency.il").read_text(), re.M).group(1))
@@ -372,10 +369,10 @@ def prepare(task, folder):
     """Writes the copies of the modules and runs Yosys; the result is model.smt2."""
     parameters = dict(task.parameters)
     if task.kind == "axis":
-        unit, profile = task.top.split("_axis_")
+        unit = UNITS[UNITS[task.top]["core"]["module"]]["core"]["module"]
         numbers = {name: value for name, value in parameters.items() if name != "USER_W"}
         modules = needed("glint_axis", unit)
-        modules[task.top] = wrapper_at_any_size(unit[len("glint_"):], profile, numbers)
+        modules[task.top] = wrapper_at_any_size(task.top, numbers)
     elif task.kind == "highlight":
         text, unit, numbers = around_lobe(task.top)
         modules = {**needed("glint_effect_highlight", unit), task.top: text}
@@ -390,7 +387,7 @@ def prepare(task, folder):
         frame = "stream" if task.kind == "effect" else "ports"
         added = f"localparam CLOCKS = {latency(unit, numbers, folder, frame)};\n"
         if task.kind != "unit":
-            added += declared_result(modules[task.top])
+            added += declared_result(task.top, {} if task.kind == "highlight" else numbers)
         modules[task.top] = modules[task.top].replace("endmodule", f"{added}endmodule")
     for name, text in modules.items():
         properties = HERE / f"{task.kind if name == task.top and task.kind in KINDS else name}.vh"

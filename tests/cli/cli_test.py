@@ -417,7 +417,7 @@ class Emit(Case):
     def test_committed(self):
         """What is committed is what the tool emits: every file, and no other."""
         for target, folder in self.COMMITTED.items():
-            committed = {path.name: path.read_text() for path in (ROOT / folder).iterdir()}
+            committed = {path.name: path.read_text() for path in (ROOT / folder).iterdir() if path.suffix != ".f"}
             pattern = re.compile(r"glint_(\w+?)_(?:axis_)?(p\d+|\d+(?:_\d+)+)(?:_constants)?\.\w+")
             names = {pattern.fullmatch(name).groups() for name in committed}
             self.true({("bps", "p8"), ("bps", "p12"), ("bps", "p16")} <= names, f"{folder}: {names}")
@@ -427,18 +427,36 @@ class Emit(Case):
                 if lobe.startswith("effect_"):
                     choice = ["--effect", lobe.removeprefix("effect_").removesuffix("_bps")]
                 self.good("emit", *choice, "--profile", profile, "--target", target, "-o", target)
-            emitted = {path.name: path.read_text() for path in (self.folder / target).iterdir()}
+            emitted = {path.name: path.read_text() for path in (self.folder / target).iterdir()
+                       if path.suffix not in (".f", ".json")}
             self.equal(sorted(committed), sorted(emitted), folder)
             for name, text in emitted.items():
                 self.true(committed[name] == text, f"{folder}/{name} is not what `glint emit` writes")
 
+    def test_manifest(self):
+        """The committed manifest and lists are what the tool writes; that of a folder names what is there."""
+        self.good("emit", "--manifest", "-o", "rtl")
+        names = self.files()
+        self.equal(names, sorted(["rtl/units.json", *(f"rtl/generated/{path.name}" for path in (ROOT / "rtl/generated").glob("*.f"))]))
+        for name in names:
+            self.true(self.read(name) == (ROOT / name).read_text(), f"{name} is not what `glint emit --manifest` writes")
+        self.good("emit", "--effect", "shade", "--lobe", "cubic", "-o", "out")
+        manifest = json.loads(self.read("out/units.json"))
+        self.true({"glint_effect_shade_cubic_p12", "glint_effect_phong_cubic_p12", "glint_cubic_p12"} <=
+                  {unit["name"] for unit in manifest["units"]}, "the parts of a unit are units")
+        for unit in manifest["units"]:
+            for file in unit["files"]:
+                path = ROOT / file.replace("$(GLINT_RTL)", "rtl") if "$" in file else self.folder / "out" / file
+                self.true(path.is_file(), f"{unit['name']}: no {file}")
+            self.true(f"$(GLINT_EMITTED)/{unit['name']}.v" in self.read(f"out/{unit['name']}.f").splitlines(), unit["name"])
+
     def test_list(self):
         text = self.good("emit", "--lobe", "bps", "--profile", "p8,p12,p16", "-o", "out")
         self.equal(sorted(text.splitlines()), self.files())
-        self.equal(len(self.files()), 12)
+        self.equal(len(self.files()), 12 + 6 + 1)
 
     def test_targets(self):
-        every = {"verilog": ["glint_bps_axis_p12.v", "glint_bps_p12.v"], "hls": ["glint_bps_p12_constants.hpp"],
+        every = {"verilog": ["glint_bps_axis_p12.f", "glint_bps_axis_p12.v", "glint_bps_p12.f", "glint_bps_p12.v", "units.json"], "hls": ["glint_bps_p12_constants.hpp"],
                  "proof": ["glint_bps_p12.g"]}
         self.good("emit", "--target", "all", "-o", "all")
         self.equal(self.files(), sorted(f"all/{name}" for names in every.values() for name in names))
@@ -456,7 +474,8 @@ class Emit(Case):
             bound = rf"\d\.\d+ ulp, measured over all {inputs} inputs" if inputs else r"not shown \(.*\)"
             self.matches(text, rf"\nbps {profile}: rounding error {bound}\n\Z")
             names = (f"{name}.v", f"axis_{name}.v", f"{name}_constants.hpp", f"{name}.g")
-            self.equal(text.splitlines()[:-1], [f"out/glint_bps_{ending}" for ending in names])
+            lists = ["units.json", f"glint_bps_{name}.f", f"glint_bps_axis_{name}.f"]
+            self.equal(text.splitlines()[:-1], [f"out/{file}" for file in [f"glint_bps_{ending}" for ending in names] + lists])
             F, _, _, O = map(int, profile.split(","))
             wrapper = self.read(f"out/glint_bps_{name}.v")
             self.matches(wrapper, rf"\nmodule glint_bps_{name} #\(")

@@ -1,21 +1,15 @@
 """Verilog benches in Icarus Verilog, an event-driven simulator of four states that shares nothing with Verilator."""
 
 import re
+import shutil
 import subprocess
 from pathlib import Path
 
-RTL = Path(__file__).resolve().parents[2] / "rtl"
+from units import RTL, sources
 
 
 class Failed(Exception):
     """A run that is no success; the text says why."""
-
-
-def sources(rtl=RTL):
-    found = sorted(str(path) for path in Path(rtl).glob("*.v"))
-    if not found:
-        raise Failed(f"folder '{rtl}' holds no Verilog files")
-    return found
 
 
 def build(executable, top, files, parameters=None, macros=None):
@@ -55,16 +49,13 @@ def require(output, things, expected):
 
 
 def planted(folder, file, pattern, replacement):
-    """Copies rtl/ into a folder, with one line of one file changed."""
-    folder = Path(folder)
-    folder.mkdir()
-    for source in RTL.glob("*.v"):
-        text = source.read_text()
-        if source.name == file:
-            text, found = re.subn(pattern, replacement, text)
-            if found != 1:
-                raise Failed(f"'{pattern}' matches {found} times in {file}, not once")
-        (folder / source.name).write_text(text)
-    if not (folder / file).exists():
-        raise Failed(f"there is no {file}")
+    """Copies rtl/ into a folder, with one line of one file by hand changed."""
+    shutil.copytree(RTL, folder)
+    copies = [copy for copy in sources(folder) if copy.name == file]
+    if len(copies) != 1:
+        raise Failed(f"there are {len(copies)} files {file}, not one")
+    text, found = re.subn(pattern, replacement, copies[0].read_text())
+    if found != 1:
+        raise Failed(f"'{pattern}' matches {found} times in {file}, not once")
+    copies[0].write_text(text)
     return folder

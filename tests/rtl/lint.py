@@ -1,21 +1,24 @@
 #!/usr/bin/env python3
 """Every unit through a tool with all its warnings on: it must print nothing.
 
-    lint.py verilator|iverilog|yosys FOLDER...     the folders of the wrappers
+    lint.py verilator|iverilog|yosys FOLDER...     folders that hold a units.json
 
-The files of a unit are those that docs/rtl.md, docs/lobes and docs/effects list. Also linted: the shared modules by
-themselves, with parameters at the ends of what is legal, and what rtl/*.f lists. At last, damaged copies of every unit,
-about which the tool must print something: a lint that finds nothing there finds nothing.
+The files of a unit are those of its list (.f), for Yosys those of the manifest. Also linted: the shared modules by
+themselves, with parameters at the ends of what is legal. At last, damaged copies of every unit, about which the tool must
+print something: a lint that finds nothing there finds nothing.
 """
 
+import os
 import re
 import subprocess
 import sys
 import tempfile
 from pathlib import Path
 
-ROOT = Path(__file__).resolve().parents[2]
-RTL = ROOT / "rtl"
+import units
+from units import RTL
+
+ROOT = RTL.parent
 
 DIVIDER_WIDTHS = ((3, 1, 2), (3, 2, 2), (4, 2, 2), (3, 4, 2), (10, 5, 5), (9, 6, 5), (28, 26, 12), (34, 28, 16),
                   (40, 30, 20), (61, 40, 31))
@@ -89,129 +92,74 @@ def command(tool, top, files, parameters):
     return ["yosys", "-q", "-e", ".*", "-p", script]
 
 
-def complaints(arguments, folder=ROOT):
-    done = subprocess.run(arguments, capture_output=True, text=True, cwd=folder)
+def complaints(arguments, folder=ROOT, environment=None):
+    done = subprocess.run(arguments, capture_output=True, text=True, cwd=folder, env=environment)
     # A summary that newer Verilators end with is not about the files.
     output = re.sub(r"^- (V e r i l a t i o n|Verilator:).*\n", "", done.stdout + done.stderr, flags=re.M).lstrip("\n")
     return f"{' '.join(arguments)}: exit status {done.returncode}\n{output}" if done.returncode or output else ""
 
 
-def silent(arguments, folder=ROOT):
-    text = complaints(arguments, folder)
+def silent(arguments, folder=ROOT, environment=None):
+    text = complaints(arguments, folder, environment)
     if text:
         raise Failed(text)
 
 
-def file_table():
-    """From docs/rtl.md, docs/lobes and docs/effects: the name of a unit, P in the place of its profile, and its files."""
-    table = {}
-    pages = [ROOT / "docs/rtl.md", *sorted((ROOT / "docs/lobes").glob("*.md")),
-             *sorted((ROOT / "docs/effects").glob("*.md"))]
-    text = "\n".join(page.read_text() for page in pages)
-    for unit, files in re.findall(r"^\| `(glint_\w+_P)` \| (rtl/generated/.*) \|$", text, re.MULTILINE):
-        table[unit] = files.split(", ")
-    if not table:
-        raise Failed("docs/rtl.md has no table of files")
-    return table
+def lint_unit(tool, folder, unit, elsewhere):
+    """A unit, by the list of its files, from another folder; Yosys reads no such lists."""
+    if tool == "yosys":
+        silent(command(tool, unit["name"], unit["files"], {}))
+        return
+    environment = {**os.environ, "GLINT_RTL": str(RTL), "GLINT_EMITTED": str(folder)}
+    listing = Path(folder) / "generated" if folder == RTL else Path(folder)
+    silent([*command(tool, unit["name"], [], {}), "-f", str(listing / f"{unit['name']}.f")], elsewhere, environment)
 
 
-def units(folder, table):
-    """The units of the wrappers in a folder: their names and files."""
-    found = []
-    for wrapper in sorted(Path(folder).glob("*.v")):
-        profile = re.search(r"_(p\d+|\d+(?:_\d+)+)$", wrapper.stem)
-        unit = wrapper.stem[: profile.start()] + "_P" if profile else ""
-        if unit not in table:
-            raise Failed(f"{wrapper} is no unit that docs/rtl.md lists")
-        files = [Path(folder) / Path(file.replace("_P.v", f"{profile[0]}.v")).name if "/generated/" in file else ROOT / file
-                 for file in table[unit]]
-        found.append((wrapper.stem, files))
-    if not found:
-        raise Failed(f"folder '{folder}' holds no wrappers")
-    return found
-
-
-def with_parts(module):
-    """The files of a module in rtl/ and of all that it contains."""
-    files, left = [], [module]
-    while left:
-        file = RTL / f"{left.pop()}.v"
-        if file not in files:
-            files.append(file)
-            left += re.findall(r"^ +(glint_\w+) #\($", file.read_text(), re.MULTILINE)
-    return files
-
-
-def lint_file_lists(tool, table):
-    """rtl/glint_bps.f and its like: the files of both units, one a line, relative to its folder."""
-    done = 0
-    for listing in sorted(RTL.glob("*.f")):
-        lines = [line for line in listing.read_text().splitlines() if line and not line.startswith("//")]
-        needed = {file for unit in table for file in table[unit] if unit.startswith(f"{listing.stem}_")}
-        if {f"rtl/{line}" for line in lines} != {file for file in needed if "/generated/" not in file}:
-            raise Failed(f"{listing} lists {lines}, docs/rtl.md other files")
-        core, axis = (f"{listing.stem}_p12", f"{listing.stem}_axis_p12")
-        for top, names in ((core, [core]), (axis, [core, axis])):
-            wrappers = [f"generated/{name}.v" for name in names]
-            if tool == "verilator":
-                from_root = [f"rtl/{wrapper}" for wrapper in wrappers]
-                silent(["verilator", "--lint-only", "-Wall", "--top-module", top, *from_root, "-F", str(listing)])
-                silent(["verilator", "--lint-only", "-Wall", "--top-module", top, *wrappers, "-f", listing.name], RTL)
-            elif tool == "iverilog":
-                silent(["iverilog", "-g2005", "-Wall", "-t", "null", "-s", top, *wrappers, "-f", listing.name], RTL)
-            else:
-                silent(command(tool, top, [*wrappers, *lines], {}), RTL)
-            done += 1
-    if done == 0:
-        raise Failed("there is no rtl/*.f")
-    return done
-
-
-def lint_damaged(tool, top, files, folder):
+def lint_damaged(tool, unit, folder):
     """One port of the core too narrow: all three tools know that."""
-    damaged = Path(folder) / f"{top}.v"
-    text, found = re.subn(r"\((?:y_o|r_o|m_axis_tdata)\)", lambda port: port[0][:-1] + "[3:0])", files[0].read_text())
+    *parts, wrapper = unit["files"]
+    damaged = Path(folder) / wrapper.name
+    text, found = re.subn(r"\((?:y_o|r_o|m_axis_tdata)\)", lambda port: port[0][:-1] + "[3:0])", wrapper.read_text())
     if found != 1:
-        raise Failed(f"{files[0]}: {found} results, not one")
+        raise Failed(f"{wrapper}: {found} results, not one")
     damaged.write_text(text)
-    if not complaints(command(tool, top, [damaged, *files[1:]], {})):
-        raise Failed(f"{tool} says nothing about a port of {top} that is too narrow")
+    if not complaints(command(tool, unit["name"], [*parts, damaged], {})):
+        raise Failed(f"{tool} says nothing about a port of {unit['name']} that is too narrow")
 
 
 def lint(tool, folders):
-    table = file_table()
     done = damaged = 0
+    listed = set()
     with tempfile.TemporaryDirectory() as scratch:
-        for folder in folders:
-            for top, files in units(folder, table):
-                silent(command(tool, top, files, {}))
-                lint_damaged(tool, top, files, scratch)
+        for folder in map(Path, folders):
+            for unit in units.units(folder).values():
+                lint_unit(tool, folder.resolve(), unit, scratch)
+                lint_damaged(tool, unit, scratch)
                 done += 1
                 damaged += 1
-                if top.endswith("_p12") and "_axis_" not in top:
-                    text = files[0].read_text()
-                    pipelines = [{"MULTIPLIER_STAGES": 3}] if "parameter MULTIPLIER_STAGES" in text else []
-                    for parameters in ARCHITECTURES if "parameter DIVIDER" in text else pipelines:
-                        silent(command(tool, top, files, parameters))
+                listed.update(unit["files"])
+                if unit["profile"] == "p12" and unit["kind"] == "lobe":
+                    known = {parameter["name"] for parameter in unit["parameters"]}
+                    for parameters in ARCHITECTURES if "DIVIDER" in known else [{"MULTIPLIER_STAGES": 3}]:
+                        silent(command(tool, unit["name"], unit["files"], parameters))
                         done += 1
     modules = 0
+    files = units.modules()
     for top, (names, sets) in MODULES.items():
         for values in sets:
-            silent(command(tool, top, with_parts(top), dict(zip(names.split(), values))))
+            silent(command(tool, top, files[top], dict(zip(names.split(), values))))
             modules += 1
     # shade with some of its effects; Verilator and Yosys want the number sized.
-    top = "glint_effect_shade_bps_p12"
-    files = [ROOT / file.replace("_P.v", "_p12.v") for file in table["glint_effect_shade_bps_P"]]
-    bits = int(re.search(r"parameter \[(\d+):0\] MASK", files[0].read_text())[1]) + 1
-    for mask in (0, *(1 << bit for bit in range(bits)), (1 << bits) - 2):
-        silent(command(tool, top, files, {"MASK": mask if tool == "iverilog" else f"{bits}'d{mask}"}))
+    shade = units.units()["glint_effect_shade_bps_p12"]
+    everything = next(int(p["default"]) for p in shade["parameters"] if p["name"] == "MASK")
+    bits = everything.bit_length()
+    for mask in (0, *(1 << bit for bit in range(bits)), everything - 1):
+        silent(command(tool, shade["name"], shade["files"], {"MASK": mask if tool == "iverilog" else f"{bits}'d{mask}"}))
         modules += 1
-    linted = {Path(file).stem for files in table.values() for file in files} | set(MODULES)
-    for file in RTL.glob("*.v"):
-        if file.stem not in linted:
-            raise Failed(f"{file} is in no unit that docs/rtl.md lists")
-    lists = lint_file_lists(tool, table)
-    print(f"{tool}: {done} units and architectures, {modules} modules with parameters, {lists} lists of files: silent")
+    for file in RTL.rglob("*.v"):
+        if file not in listed and file.stem not in MODULES:
+            raise Failed(f"{file} is in no unit of rtl/units.json")
+    print(f"{tool}: {done} units and architectures, {modules} modules with parameters: silent")
     print(f"{tool}: {damaged} damaged units: found")
     if damaged == 0 or modules == 0:
         raise Failed("nothing was linted")

@@ -9,7 +9,6 @@ import sys
 import tempfile
 from pathlib import Path
 
-import icarus
 from icarus import Failed
 from replay import replay
 
@@ -42,7 +41,7 @@ def main():
                 if len(vectors) != 1:
                     raise Failed(f"{len(vectors)} vector files, not one")
                 for unit in ("core", "axis"):
-                    replay(vectors[0], unit, icarus.RTL, Path(folder), None)
+                    replay(vectors[0], unit, Path(folder))
     except Failed as failed:
         print(f"refit_test.py: FAILED: {failed}", file=sys.stderr)
         return 1

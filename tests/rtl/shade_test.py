@@ -6,13 +6,13 @@ the same cells, of the same widths, as one for a term less, and fewer than the w
 """
 
 import json
-import re
 import subprocess
 import sys
 import tempfile
 from pathlib import Path
 
-from lint import ROOT, Failed, file_table, with_parts
+from lint import Failed
+from units import modules, units
 
 WRAPPER = "glint_effect_shade_bps_p12"
 
@@ -30,7 +30,7 @@ def frame(N, mask, diffuse):
     parameters = {"N": N, "MASK": f"{N + 1}'d{mask}", "DIFFUSE": f"{N + 1}'d{diffuse}"}
     with tempfile.TemporaryDirectory() as folder:
         file = Path(folder) / "stat.json"
-        yosys(with_parts("glint_effect_shade"), "glint_effect_shade", parameters,
+        yosys(modules()["glint_effect_shade"], "glint_effect_shade", parameters,
               f"proc; flatten; opt -full; opt_clean -purge; tee -q -o {file} stat -width -json")
         text = file.read_text()
         data = json.loads(text[text.index("{"):])["design"]
@@ -44,22 +44,23 @@ def total(cells):
 
 
 def test():
-    files = [ROOT / file.replace("_P.v", "_p12.v") for file in file_table()["glint_effect_shade_bps_P"]]
-    text = files[0].read_text()
-    N = int(re.search(r"\.N +\((\d+)\)", text)[1])
-    diffuse = int(re.search(r"\.DIFFUSE +\(\d+'d(\d+)\)", text)[1])
-    slots = dict(re.findall(r"if \(MASK\[(\d+)\]\) begin : \w+\n.*?^            (glint_\w+) #", text, re.MULTILINE | re.DOTALL))
+    unit = units()[WRAPPER]
+    files = unit["files"]
+    N = int(unit["core"]["parameters"]["N"])
+    diffuse = int(unit["core"]["parameters"]["DIFFUSE"].split("'d")[1])
+    # The units of the terms, in the order of their bits.
+    terms = [file.stem for file in files if file.parent.name == "generated" and file.stem.startswith("glint_effect_")]
+    slots = {bit: term for bit, term in enumerate(terms[:-1], 1)}
     if len(slots) != N:
         raise Failed(f"{len(slots)} slots for {N} terms")
     everything = (2 << N) - 1
     whole = frame(N, everything, diffuse)
     print(f"{N} terms: {total(whole)} cells, {whole['memory bits']} bits of memory")
     for bit, unit in sorted(slots.items()):
-        bit = int(bit)
         mask = everything - (1 << bit)
-        for built, units in ((everything, 1), (mask, 0)):
+        for built, instances in ((everything, 1), (mask, 0)):
             yosys(files, WRAPPER, {"MASK": f"{N + 1}'d{built}"},
-                  f"cd {WRAPPER}; select -assert-count {units} t:*{unit}*")
+                  f"cd {WRAPPER}; select -assert-count {instances} t:*{unit}*")
         below = (1 << bit) - 1
         masked = frame(N, mask, diffuse)
         never = frame(N - 1, everything >> 1, (diffuse & below) | (diffuse >> 1 & ~below))

@@ -2,12 +2,12 @@
 """The benches of the dividers, glint_sqrt, glint_multiplier, glint_delay and glint_skid in Icarus, and bugs planted in
 copies of these modules, which the benches must find. With an argument, the unit of that name only."""
 
-import re
 import sys
 import tempfile
 from pathlib import Path
 
 import icarus
+from units import modules
 
 HERE = Path(__file__).parent
 RANDOM_DIVISIONS = 10000
@@ -174,13 +174,7 @@ HUNTED = {"restoring": (6, 13), "radix4": (6, 13), "iterative": (6, 13), "recipr
 def simulate(folder, rtl, unit, parameters):
     executable = Path(folder) / "bench"
     bench, top = UNITS[unit][0], "glint_divider" if "DIVISIONS" in parameters else UNITS[unit][1]
-    files, left = [HERE / f"{bench}.v"], [top]
-    while left:
-        file = rtl / f"{left.pop()}.v"
-        if file not in files:
-            files.append(file)
-            left += re.findall(r"^ +(glint_\w+) #\($", file.read_text(), re.MULTILINE)
-    icarus.build(executable, bench, files, parameters)
+    icarus.build(executable, bench, [*modules(rtl)[top], HERE / f"{bench}.v"], parameters)
     return icarus.run(executable)
 
 

@@ -7,6 +7,7 @@
 #include "catch.hpp"
 #include "glint/effect.hpp"
 #include "glint/lobes.hpp"
+#include "glint/manifest.hpp"
 
 using namespace glint;
 
@@ -32,7 +33,7 @@ TEST_CASE("the committed generated files are those of the model, and every shipp
         for (const auto& entry : std::filesystem::directory_iterator(folders[target])) {
             const std::string name = entry.path().filename().string();
             CAPTURE(name);
-            if (name.rfind("glint_effect_", 0) == 0) continue;
+            if (name.rfind("glint_effect_", 0) == 0 || entry.path().extension() == ".f") continue;
             std::smatch match;
             REQUIRE(std::regex_match(name, match, pattern));
             std::string profile = match[2];
@@ -67,24 +68,49 @@ TEST_CASE("the committed generated files of effects are those of the model, and 
     for (const Effect& effect : effects()) {
         for (const Profile& profile : shipped_profiles()) {
             const auto files = effect.emit(profile, "bps");
-            CHECK(!files.empty());
+            REQUIRE(!files.empty());
+            CHECK(current.count(folders[0] / files[0].name) == 0);
             for (const GeneratedFile& file : files) {
                 CAPTURE(file.name);
                 REQUIRE(static_cast<std::size_t>(file.target) < std::size(folders));
                 const auto path = folders[static_cast<std::size_t>(file.target)] / file.name;
                 CHECK(contents(path) == file.text);
-                CHECK(current.insert(path).second);
+                current.insert(path);
             }
         }
     }
     for (const auto& folder : folders) {
         for (const auto& entry : std::filesystem::directory_iterator(folder)) {
             CAPTURE(entry.path().string());
-            const bool of_an_effect = entry.path().filename().string().rfind("glint_effect_", 0) == 0;
+            const bool of_an_effect =
+                entry.path().filename().string().rfind("glint_effect_", 0) == 0 && entry.path().extension() != ".f";
             CHECK((!of_an_effect || current.count(entry.path()) == 1));
         }
     }
     CHECK(current.size() >= 3 * effects().size());
+}
+
+TEST_CASE("rtl/units.json is that of the model, and every file that it names is there") {
+    const std::filesystem::path rtl = std::filesystem::path(GLINT_SOURCE_DIR) / "rtl";
+    const std::vector<HardwareUnit> units = committed_units();
+    CHECK(contents(rtl / "units.json") == manifest(units, committed_paths));
+    for (const HardwareUnit& unit : units) {
+        CAPTURE(unit.name);
+        CHECK(unit.files.back().name == unit.name + ".v");
+        for (const HardwareUnit::File& file : unit.files) {
+            CAPTURE(file.name);
+            CHECK(std::filesystem::is_regular_file(rtl / (file.generated ? "generated" : "") / file.name));
+        }
+        CHECK(unit.architectures.front().latency > 1);
+        CHECK(contents(rtl / "generated" / (unit.name + ".f")) == file_list(unit, committed_list));
+    }
+    for (const auto& entry : std::filesystem::directory_iterator(rtl / "generated")) {
+        if (entry.path().extension() != ".f") continue;
+        CAPTURE(entry.path().string());
+        CHECK(std::count_if(units.begin(), units.end(),
+                            [&](const HardwareUnit& unit) { return unit.name == entry.path().stem(); }) == 1);
+    }
+    CHECK(units.size() >= 3 * (lobes().size() + effects().size()));
 }
 
 TEST_CASE("the wrapper of an effect with another lobe is that with bps, but for the name") {
@@ -101,8 +127,8 @@ TEST_CASE("the wrapper of an effect with another lobe is that with bps, but for 
             CAPTURE(effect, name);
             const auto files = find_effect(effect).emit(parse_profile("p12"), lobe.name);
             const auto of_bps = find_effect(effect).emit(parse_profile("p12"), "bps");
-            REQUIRE(files.size() == 1);
-            REQUIRE(of_bps.size() == 1);
+            REQUIRE(files.size() == 2);  // and that of its lobe
+            REQUIRE(of_bps.size() == 2);
             const std::string renamed = replaced(of_bps[0].text, "_bps_", "_" + name + "_");
             CHECK(files[0].text == replaced(renamed, "--lobe bps ", "--lobe " + name + " "));
         }

@@ -16,6 +16,9 @@ struct Architecture {
     /// and REGISTER_EVERY for a lobe with a divider, MULTIPLIER_STAGES for all.
     std::vector<std::pair<std::string, int>> parameters;
 
+    /// The value of a parameter; `otherwise` where the architecture has none of that name.
+    int parameter(std::string_view name_of_it, int otherwise) const;
+
     friend bool operator==(const Architecture&, const Architecture&) = default;
 };
 
@@ -26,5 +29,15 @@ Architecture parse_architecture(const Lobe& lobe, std::string_view text);
 
 /// "restoring", or "pipelined" for a lobe without a divider.
 Architecture default_architecture(const Lobe& lobe);
+
+/// Those that documents, prices and the manifest list, the default first: each divider with products of one clock and
+/// of two, or "pipelined" so; and an example of rows.
+std::vector<Architecture> listed_architectures(const Lobe& lobe);
+
+/// The clocks of a division of so many quotient bits; 0 bits are none.
+int division_clocks(const Architecture& architecture, int quotient_bits);
+
+/// Whether the unit accepts an input while another one is inside.
+bool takes_one_a_clock(const Architecture& architecture);
 
 }  // namespace glint

@@ -1,7 +1,10 @@
 // Generated sources: the constants of a lobe on their way to rtl/ and hls/.
 #pragma once
 
+#include <optional>
 #include <string>
+
+#include "glint/manifest.hpp"
 
 namespace glint {
 
@@ -10,6 +13,7 @@ struct GeneratedFile {
     Target target = Target::verilog;
     std::string name;  ///< file name without a folder
     std::string text;
+    std::optional<HardwareUnit> unit{};  ///< where it is the top module of one
 };
 
 }  // namespace glint

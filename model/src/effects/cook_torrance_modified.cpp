@@ -127,9 +127,13 @@ std::unique_ptr<EffectModel> make(const Profile& profile, std::string_view) {
 std::vector<GeneratedFile> emit(const Profile& profile, std::string_view) {
     const CookTorranceModified model(profile);
     const Format& f = model.format();
-    return {effect_wrapper(model, microfacets::parameters(profile, f.w), microfacets::memories(f.attenuation, f.power)),
-            effect_constants(model, microfacets::constants(profile, f.w),
-                             {f.attenuation.log2.table(), f.power.exp2.table()})};
+    return {
+        effect_wrapper(model,
+                       {{block::stream(), block::step(), block::attenuation(), block::step(2), block::scaled_power()},
+                        {"glint_dot", "glint_delay"}},
+                       microfacets::parameters(profile, f.w), microfacets::memories(f.attenuation, f.power)),
+        effect_constants(model, microfacets::constants(profile, f.w),
+                         {f.attenuation.log2.table(), f.power.exp2.table()})};
 }
 
 std::vector<EffectCase> cases(const EffectModel& model) {

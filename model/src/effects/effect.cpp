@@ -40,10 +40,47 @@ std::string effect_module_name(const EffectModel& model, std::string_view lobe) 
     return fmt::format("glint_effect_{}_{}{}{}", model.effect(), lobe, lobe.empty() ? "" : "_", model.profile().name);
 }
 
-GeneratedFile effect_module(const EffectModel& model, std::string_view lobe, std::string_view body,
-                            std::string_view others) {
+namespace {
+
+std::vector<HardwareUnit::Port> described(std::span<const EffectPort> ports, bool output) {
+    static constexpr std::string_view kinds[] = {"dot product", "parameter", "colour", "term"};
+    std::vector<HardwareUnit::Port> out;
+    for (const EffectPort& port : ports) {
+        out.push_back({fmt::format("{}_{}", port.name, output ? "o" : "i"), output, port.bits, "", port.is_signed,
+                       fmt::format("{}, code / 2^{}; {} to {}", kinds[static_cast<std::size_t>(port.kind)],
+                                   port.fraction_bits, port.low, port.high)});
+    }
+    return out;
+}
+
+HardwareUnit described(const EffectModel& model, std::string_view lobe, const Hardware& hardware,
+                       std::string_view core) {
+    HardwareUnit unit;
+    const Profile& profile = model.profile();
+    unit.name = effect_module_name(model, lobe);
+    unit.kind = "effect";
+    unit.lobe = lobe;
+    if (!profile.options.empty()) unit.lobe += ":" + profile.options;
+    unit.effect = model.effect();
+    unit.profile = profile.argument();
+    unit.F = profile.F;
+    unit.O = profile.O;
+    unit.core = core;
+    unit.files = files_of(core, hardware);
+    unit.ports = stream_ports(described(model.inputs(), false), described(model.outputs(), true));
+    unit.parameters = {{"TAG_W", "16", "at least 1", "bits of the tag"}};
+    unit.architectures = {timed({"default", {}}, hardware.sum())};
+    return unit;
+}
+
+}  // namespace
+
+GeneratedFile effect_module(const EffectModel& model, std::string_view lobe, const Hardware& hardware,
+                            std::string_view core, std::string_view body, std::string_view others) {
     const Profile& profile = model.profile();
     const std::string module = effect_module_name(model, lobe);
+    HardwareUnit unit = described(model, lobe, hardware, core);
+    unit.files.push_back({module + ".v", true});
     std::string ports;
     const auto add = [&](std::string_view direction, std::string_view range, std::string_view name) {
         ports += fmt::format("{}    {:6} wire {:>11} {}", ports.empty() ? "" : ",\n", direction, range, name);
@@ -81,11 +118,12 @@ endmodule
 {6}
 `default_nettype wire
 )",
-                        module, model.effect(), profile.argument(), choice, ports, body, others)};
+                        module, model.effect(), profile.argument(), choice, ports, body, others),
+            std::move(unit)};
 }
 
-GeneratedFile effect_wrapper(const EffectModel& model, const std::vector<Constant>& parameters,
-                             const std::vector<Table>& tables) {
+GeneratedFile effect_wrapper(const EffectModel& model, const Hardware& hardware,
+                             const std::vector<Constant>& parameters, const std::vector<Table>& tables) {
     std::vector<std::string> names{"clk_i", "rst_ni", "valid_i", "ready_o"};
     for (const EffectPort& port : model.inputs()) names.push_back(fmt::format("{}_i", port.name));
     names.insert(names.end(), {"tag_i", "valid_o", "ready_i"});
@@ -104,10 +142,33 @@ GeneratedFile effect_wrapper(const EffectModel& model, const std::vector<Constan
         connections += fmt::format("{}        .{:{}}({})", connections.empty() ? "" : ",\n", name, name_width, name);
     }
     const TableText memories = table_text(effect_module_name(model, ""), tables);
-    return effect_module(model, "",
-                         fmt::format("{}    glint_effect_{} #(\n{}    ) core (\n{}{}\n    );\n{}", memories.wires,
-                                     model.effect(), values, connections, memories.ports, memories.instances),
-                         memories.roms);
+    const std::string core = fmt::format("glint_effect_{}", model.effect());
+    GeneratedFile file =
+        effect_module(model, "", hardware, core,
+                      fmt::format("{}    glint_effect_{} #(\n{}    ) core (\n{}{}\n    );\n{}", memories.wires,
+                                  model.effect(), values, connections, memories.ports, memories.instances),
+                      memories.roms);
+    describe(*file.unit, parameters, tables);
+    return file;
+}
+
+std::vector<GeneratedFile> made_of(GeneratedFile file, std::vector<GeneratedFile> parts,
+                                   const HardwareUnit::Architecture& timing) {
+    HardwareUnit& unit = *file.unit;
+    std::vector<HardwareUnit::File> files;
+    for (const GeneratedFile& part : parts) {
+        if (part.unit) add_files(files, part.unit->files);
+    }
+    add_files(files, unit.files);
+    unit.files = std::move(files);
+    unit.architectures = {timing};
+    std::vector<GeneratedFile> out{std::move(file)};
+    for (GeneratedFile& part : parts) {
+        const bool there =
+            std::any_of(out.begin(), out.end(), [&](const GeneratedFile& f) { return f.name == part.name; });
+        if (part.target == GeneratedFile::Target::verilog && !there) out.push_back(std::move(part));
+    }
+    return out;
 }
 
 GeneratedFile effect_constants(const EffectModel& model, const std::vector<Constant>& constants,

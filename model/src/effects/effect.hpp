@@ -37,15 +37,19 @@ void check_output_bits(std::string_view effect, const Profile& profile, int grea
 std::string effect_module_name(const EffectModel& model, std::string_view lobe);
 
 /// The Verilog module of that name, with the ports of the model around `body` (lines that end with a line feed), and
-/// the modules `others` after it.
-GeneratedFile effect_module(const EffectModel& model, std::string_view lobe, std::string_view body,
-                            std::string_view others = "");
+/// the modules `others` after it. `core` is the module by hand inside.
+GeneratedFile effect_module(const EffectModel& model, std::string_view lobe, const Hardware& hardware,
+                            std::string_view core, std::string_view body, std::string_view others = "");
 
 /// The Verilog wrapper glint_effect_<effect>_<profile>: effect_module with the module glint_effect_<effect> inside.
 /// `parameters` are its parameters beside TAG_W, its ports are those of the model; the tables stand beside it as with a
 /// lobe.
-GeneratedFile effect_wrapper(const EffectModel& model, const std::vector<Constant>& parameters,
-                             const std::vector<Table>& tables = {});
+GeneratedFile effect_wrapper(const EffectModel& model, const Hardware& hardware,
+                             const std::vector<Constant>& parameters, const std::vector<Table>& tables = {});
+
+/// A unit made of others: its file, then the Verilog of its parts, each once; their files become the unit's.
+std::vector<GeneratedFile> made_of(GeneratedFile file, std::vector<GeneratedFile> parts,
+                                   const HardwareUnit::Architecture& timing);
 
 /// The HLS header glint_effect_<effect>_<profile>_constants.hpp.
 GeneratedFile effect_constants(const EffectModel& model, const std::vector<Constant>& constants,

@@ -58,8 +58,10 @@ std::vector<GeneratedFile> emit_highlight(std::string_view effect, std::string_v
     const Choice choice = choose(profile, lobe);
     const Profile& p = choice.profile;
     const Highlight model(effect, cosine, p, choice.lobe->golden(p));
-    return {effect_module(model, choice.lobe->name,
-                          fmt::format(R"(    wire [TAG_W+1:0] tag_in, tag_out;
+    std::vector<GeneratedFile> parts{choice.lobe->emit(p, default_architecture(*choice.lobe)).front()};
+    const HardwareUnit unit = *parts.front().unit;
+    GeneratedFile file = effect_module(model, choice.lobe->name, {}, "glint_effect_highlight",
+                                       fmt::format(R"(    wire [TAG_W+1:0] tag_in, tag_out;
     wire [{O}:0] y;
     wire clamped;  // what the lobe corrects; the effect has its own rule
     wire unused = &{{1'b0, clamped}};
@@ -98,8 +100,10 @@ std::vector<GeneratedFile> emit_highlight(std::string_view effect, std::string_v
         .clamped_o(clamped)
     );
 )",
-                                      fmt::arg("F", p.F), fmt::arg("O", p.O), fmt::arg("cosine", cosine),
-                                      fmt::arg("lobe", choice.lobe->name), fmt::arg("profile", p.name)))};
+                                                   fmt::arg("F", p.F), fmt::arg("O", p.O), fmt::arg("cosine", cosine),
+                                                   fmt::arg("lobe", choice.lobe->name), fmt::arg("profile", p.name)));
+    file.unit->numbers = {{"F", std::to_string(p.F)}, {"O", std::to_string(p.O)}};
+    return made_of(std::move(file), std::move(parts), {"default", {}, unit.architectures[0].latency, 1});
 }
 
 std::vector<EffectCase> highlight_cases(const EffectModel& model) {

@@ -35,7 +35,8 @@ std::unique_ptr<EffectModel> make_lambert(const Profile& profile, std::string_vi
 
 std::vector<GeneratedFile> emit_lambert(const Profile& profile, std::string_view) {
     const Lambert model(profile);
-    return {effect_wrapper(model, {{"F", std::to_string(profile.F), ""}, {"O", std::to_string(profile.O), ""}}),
+    return {effect_wrapper(model, {{block::stream(), block::step(2)}, {"glint_dot"}},
+                           {{"F", std::to_string(profile.F), ""}, {"O", std::to_string(profile.O), ""}}),
             effect_constants(model, {{"int F", std::to_string(profile.F), "fraction bits of the dot product"},
                                      {"int O", std::to_string(profile.O), "fraction bits of the output"}})};
 }

@@ -123,7 +123,10 @@ y - f -> (y - sum) + b * ((p - product) + (q - excess) * ratio + excess * (ratio
 std::vector<GeneratedFile> emit_oren_nayar(const Profile& profile, std::string_view) {
     const OrenNayar model(profile);
     const auto text = [](int value) { return std::to_string(value); };
-    return {effect_wrapper(model, {{"F", text(profile.F), ""}, {"O", text(profile.O), ""}}),
+    return {effect_wrapper(model,
+                           {{block::stream(), block::step(), block::divider(profile.O + 2), block::step(4)},
+                            {"glint_dot", "glint_delay"}},
+                           {{"F", text(profile.F), ""}, {"O", text(profile.O), ""}}),
             effect_constants(model, {{"int F", text(profile.F), "fraction bits of the dot products"},
                                      {"int O", text(profile.O), "fraction bits of the output"}}),
             proof(profile)};

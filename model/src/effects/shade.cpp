@@ -289,7 +289,7 @@ std::vector<GeneratedFile> emit_shade(const Profile& profile, std::string_view l
     for (const EffectPort& port : shade->inputs()) ports += fmt::format(", {}_i", port.name);
     const int O = profile.O;
     GeneratedFile file = effect_module(
-        *shade, parse_lobe(lobe).lobe->name,
+        *shade, parse_lobe(lobe).lobe->name, {}, "glint_effect_shade",
         fmt::format(R"(    // A unit that is not built reads nothing of its ports.
     wire unused_ports = &{{1'b0{ports}}};
 
@@ -343,7 +343,23 @@ std::vector<GeneratedFile> emit_shade(const Profile& profile, std::string_view l
                     "each as in the port effects\n    parameter LOG_DEPTH = {}  // inputs in flight: "
                     "2^LOG_DEPTH\n",
                     term_count, term_count + 1, (std::int64_t{2} << term_count) - 1, log_depth(O)));
-    return {file};
+    file.unit->numbers = {{"O", std::to_string(O)},
+                          {"N", std::to_string(term_count)},
+                          {"DIFFUSE", fmt::format("{}'d{}", term_count + 1, diffuse)}};
+    file.unit->parameters.push_back({"MASK", std::to_string((std::int64_t{2} << term_count) - 1),
+                                     fmt::format("0 to {}", (std::int64_t{2} << term_count) - 1),
+                                     "what is built: a bit each as in the port effects"});
+    file.unit->parameters.push_back({"LOG_DEPTH", log_depth(O), "1 to 16", "2^LOG_DEPTH inputs are in flight at most"});
+    // One result a clock: as many are in flight as the slowest term and what is around it take.
+    std::vector<GeneratedFile> parts;
+    int slowest = 0;
+    for (const Term& term : terms) {
+        for (GeneratedFile& part : find_effect(term.effect).emit(profile, lobe)) {
+            if (part.unit) slowest = std::max(slowest, part.unit->architectures[0].latency);
+            parts.push_back(std::move(part));
+        }
+    }
+    return made_of(std::move(file), std::move(parts), {"default", {}, slowest + block::shade().clocks, 1});
 }
 
 std::vector<EffectCase> shade_cases(const EffectModel& model) {

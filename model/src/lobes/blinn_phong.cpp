@@ -44,6 +44,7 @@ std::vector<GeneratedFile> emit_blinn_phong(const Profile& profile, const Archit
     const BlinnPhongFormat f = blinn_phong_format(profile);
     const auto text = [](int value) { return std::to_string(value); };
     return generated_sources(f.lobe, profile, architecture,
+                             {{block::ports(), block::log2(), block::rounded(), block::exp2()}, {"glint_delay"}},
                              {{"F", text(f.log2.F), ""},
                               {"T", text(f.log2.T), ""},
                               {"L", text(f.log2.L), ""},

@@ -1,6 +1,7 @@
 // The lobe `cayley`: docs/lobes/cayley.md.
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 
@@ -166,15 +167,20 @@ r4 * r4 - s4 * s4 -> (r4 - s4) * (r4 + s4);
 
 std::vector<GeneratedFile> emit_cayley(const Profile& profile, const Architecture& architecture) {
     const CayleyFormat f = cayley_format(profile);
+    const int squares = static_cast<int>(std::bit_width(static_cast<unsigned>(f.a == 0 ? 8 : f.a))) - 2;
     const std::vector<Constant> parameters{{"F", std::to_string(f.F), ""},
                                            {"A", std::to_string(f.a), ""},
                                            {"S", std::to_string(f.S), ""},
                                            {"O", std::to_string(f.O), ""}};
-    auto files = generated_sources("cayley", profile, architecture, parameters,
-                                   {{"int F", std::to_string(f.F), "fraction bits of the cosine"},
-                                    {"int A", std::to_string(f.a), "0: the lobe; else the power of the plain formula"},
-                                    {"int S", std::to_string(f.S), "fraction bits of the base and its powers"},
-                                    {"int O", std::to_string(f.O), "fraction bits of the output"}});
+    auto files = generated_sources(
+        "cayley", profile, architecture,
+        {{block::ports(), block::step(), block::rounded(), block::divider(f.S + 1), block::power(squares)},
+         {"glint_delay"}},
+        parameters,
+        {{"int F", std::to_string(f.F), "fraction bits of the cosine"},
+         {"int A", std::to_string(f.a), "0: the lobe; else the power of the plain formula"},
+         {"int S", std::to_string(f.S), "fraction bits of the base and its powers"},
+         {"int O", std::to_string(f.O), "fraction bits of the output"}});
     if (f.a == 0) {
         files.push_back(
             gappa_script("cayley", profile, fmt::format("F, S, O: {}, {}, {}", f.F, f.S, f.O), cayley_gappa_body(f)));

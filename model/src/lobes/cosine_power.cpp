@@ -132,6 +132,7 @@ std::vector<GeneratedFile> emit_cosine_power(const Profile& profile, const Archi
     const auto text = [](int x) { return std::to_string(x); };
     auto files = generated_sources(
         CosinePowerFormat::lobe, profile, architecture,
+        {{block::ports(), block::rounded(), block::power(f.log2_a - 1)}},
         {{"F", text(f.F), ""}, {"LOG2_A", text(f.log2_a), ""}, {"S", text(f.S), ""}, {"O", text(f.O), ""}},
         {{"int F", text(f.F), "fraction bits of the cosine"},
          {"int LOG2_A", text(f.log2_a), "the lobe is a power of exponent a = 2^LOG2_A"},

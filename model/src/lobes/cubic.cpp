@@ -141,14 +141,15 @@ std::vector<GeneratedFile> emit_cubic(const Profile& profile, const Architecture
     Table table{"row", {{"cut", f.F + 1}, {"g1", f.K + 1}, {"g2", f.K}, {"g3", f.K - 3}}, {}};
     for (const Row& row : f.rows) table.rows.push_back({row.cut, row.g1, row.g2, row.g3});
     const auto text = [](int x) { return std::to_string(x); };
-    auto files =
-        generated_sources("cubic", profile, architecture,
-                          {{"F", text(f.F), ""}, {"S", text(f.S), ""}, {"K", text(f.K), ""}, {"O", text(f.O), ""}},
-                          {{"int F", text(f.F), "fraction bits of the cosine"},
-                           {"int S", text(f.S), "fraction bits of T"},
-                           {"int K", text(f.K), "fraction bits of the coefficients"},
-                           {"int O", text(f.O), "fraction bits of the output"}},
-                          {table});
+    auto files = generated_sources(
+        "cubic", profile, architecture,
+        {{block::ports(), block::rounded(), block::rounded(), block::rounded(), block::rounded()}, {"glint_delay"}},
+        {{"F", text(f.F), ""}, {"S", text(f.S), ""}, {"K", text(f.K), ""}, {"O", text(f.O), ""}},
+        {{"int F", text(f.F), "fraction bits of the cosine"},
+         {"int S", text(f.S), "fraction bits of T"},
+         {"int K", text(f.K), "fraction bits of the coefficients"},
+         {"int O", text(f.O), "fraction bits of the output"}},
+        {table});
     files.push_back(gappa_script("cubic", profile, fmt::format("F, S, K, O: {}, {}, {}, {}", f.F, f.S, f.K, f.O),
                                  fmt::format(R"(
 # A name here has the meaning of docs/lobes/cubic.md, but stands for the value, not the code: t is n X / 2^F, T its

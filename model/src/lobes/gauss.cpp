@@ -76,20 +76,22 @@ std::unique_ptr<GoldenModel> make_gauss(const Profile& profile) {
 std::vector<GeneratedFile> emit_gauss(const Profile& profile, const Architecture& architecture) {
     const GaussFormat f = gauss_format(profile);
     const auto text = [](int value) { return std::to_string(value); };
-    return generated_sources(f.lobe, profile, architecture,
-                             {{"F", text(f.F), ""},
-                              {"T", text(f.T), ""},
-                              {"L", text(f.L), ""},
-                              {"E", text(f.exp2.E), ""},
-                              {"S", text(f.exp2.S), ""},
-                              {"O", text(f.exp2.O), ""}},
-                             {{"int F", text(f.F), "fraction bits of the cosine"},
-                              {"int T", text(f.T), "address bits of v"},
-                              {"int L", text(f.L), "fraction bits of v"},
-                              {"int E", text(f.exp2.E), "address bits of exp2"},
-                              {"int S", text(f.exp2.S), "fraction bits of t and p"},
-                              {"int O", text(f.exp2.O), "fraction bits of the output"}},
-                             {f.angle.table("angle", f.L + 1, f.L - f.T + 3, f.L - 2 * f.T + 1), f.exp2.table()});
+    return generated_sources(
+        f.lobe, profile, architecture,
+        {{block::ports(), block::step(), block::parabola(), block::rounded(), block::exp2()}, {"glint_delay"}},
+        {{"F", text(f.F), ""},
+         {"T", text(f.T), ""},
+         {"L", text(f.L), ""},
+         {"E", text(f.exp2.E), ""},
+         {"S", text(f.exp2.S), ""},
+         {"O", text(f.exp2.O), ""}},
+        {{"int F", text(f.F), "fraction bits of the cosine"},
+         {"int T", text(f.T), "address bits of v"},
+         {"int L", text(f.L), "fraction bits of v"},
+         {"int E", text(f.exp2.E), "address bits of exp2"},
+         {"int S", text(f.exp2.S), "fraction bits of t and p"},
+         {"int O", text(f.exp2.O), "fraction bits of the output"}},
+        {f.angle.table("angle", f.L + 1, f.L - f.T + 3, f.L - 2 * f.T + 1), f.exp2.table()});
 }
 
 std::vector<HardCase> gauss_hard_cases(const GoldenModel& model) {

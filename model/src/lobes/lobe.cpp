@@ -296,6 +296,80 @@ struct {0} {{
 
 namespace {
 
+std::vector<HardwareUnit::Parameter> described_parameters(std::string_view width, std::string_view of,
+                                                          const Architecture& architecture) {
+    std::vector<HardwareUnit::Parameter> out{{std::string(width), "16", "at least 1", fmt::format("bits of {}", of)}};
+    for (const auto& [name, value] : architecture.parameters) {
+        if (name == "DIVIDER") {
+            out.push_back({name, std::to_string(value), "0 to 3", "0 restoring, 1 radix4, 2 iterative, 3 reciprocal"});
+        } else if (name == "REGISTER_EVERY") {
+            out.push_back({name, std::to_string(value), "1 to 32", "rows of the divider in a clock"});
+        } else {
+            out.push_back({name, std::to_string(value), "1 to 4", "clocks of a product"});
+        }
+    }
+    return out;
+}
+
+/// The given architecture, which has the defaults, and all that are listed.
+std::vector<HardwareUnit::Architecture> described_architectures(std::string_view lobe, const Architecture& architecture,
+                                                                const Block& way) {
+    std::vector<HardwareUnit::Architecture> out{timed(architecture, way)};
+    for (const Architecture& other : listed_architectures(find_lobe(lobe))) {
+        if (other != architecture) out.push_back(timed(other, way));
+    }
+    return out;
+}
+
+HardwareUnit core_unit(std::string_view lobe, const Profile& profile, const Architecture& architecture,
+                       const Hardware& hardware) {
+    HardwareUnit unit;
+    unit.name = fmt::format("glint_{}_{}", lobe, profile.name);
+    unit.kind = "lobe";
+    unit.lobe = fmt::format("{}{}", lobe, options(profile));
+    unit.profile = profile.argument();
+    unit.F = profile.F;
+    unit.O = profile.O;
+    unit.core = fmt::format("glint_{}", lobe);
+    unit.files = files_of(unit.core, hardware);
+    unit.files.push_back({unit.name + ".v", true});
+    unit.ports = stream_ports({{"n_i", false, 10, "", false, "specular exponent; legal 1 to 1023"},
+                               {"cos_i", false, profile.F + 2, "", true,
+                                fmt::format("cosine, code / 2^{}; legal 0 to 2^{}", profile.F, profile.F)}},
+                              {{"y_o", true, profile.O + 1, "", false, fmt::format("result, code / 2^{}", profile.O)}});
+    unit.parameters = described_parameters("TAG_W", "the tag", architecture);
+    unit.architectures = described_architectures(lobe, architecture, hardware.sum());
+    return unit;
+}
+
+HardwareUnit axis_unit(HardwareUnit unit, std::string_view lobe, const Profile& profile,
+                       const Architecture& architecture) {
+    std::vector<HardwareUnit::File> files = files_of("glint_axis");
+    add_files(files, unit.files);
+    unit.core = unit.name;
+    unit.numbers = {};
+    unit.name = fmt::format("glint_{}_axis_{}", lobe, profile.name);
+    unit.kind = "lobe_axis";
+    unit.files = std::move(files);
+    unit.files.push_back({unit.name + ".v", true});
+    unit.ports = {
+        {"aclk", false, 1, "", false, "clock, rising edge"},
+        {"aresetn", false, 1, "", false, "reset, synchronous, active low"},
+        {"s_axis_tdata", false, 64, "", false, "[9:0] n; [63:32] cosine code, sign-extended; the rest is ignored"},
+        {"s_axis_tuser", false, 0, "USER_W", false, "passes along"},
+        {"s_axis_tlast", false, 1, "", false, "passes along"},
+        {"s_axis_tvalid", false, 1, "", false, "an input is offered"},
+        {"s_axis_tready", true, 1, "", false, "the unit takes an input at this edge"},
+        {"m_axis_tdata", true, 32, "", false, fmt::format("[{}:0] y; [31] clamped; the rest is 0", profile.O)},
+        {"m_axis_tuser", true, 0, "USER_W", false, "s_axis_tuser of this result's input"},
+        {"m_axis_tlast", true, 1, "", false, "s_axis_tlast of this result's input"},
+        {"m_axis_tvalid", true, 1, "", false, "a result is offered"},
+        {"m_axis_tready", false, 1, "", false, "the receiver takes the result at this edge"}};
+    unit.parameters = described_parameters("USER_W", "tuser", architecture);
+    for (HardwareUnit::Architecture& a : unit.architectures) a.latency += block::axis().clocks;
+    return unit;
+}
+
 GeneratedFile kernel(std::string_view lobe, const Profile& profile, const std::vector<Constant>& constants,
                      const std::vector<Table>& tables) {
     return constants_header({fmt::format("glint_{}", lobe), fmt::format("--lobe {}{}", lobe, options(profile)),
@@ -326,12 +400,25 @@ std::string verilog_literal(std::int64_t value, int width) {
     return fmt::format("{}{}'sd{}", value < 0 ? "-" : "", width, value < 0 ? -value : value);
 }
 
+void describe(HardwareUnit& unit, const std::vector<Constant>& parameters, const std::vector<Table>& tables) {
+    for (const Constant& parameter : parameters) unit.numbers.emplace_back(parameter.name, parameter.value);
+    for (const Table& table : tables) {
+        unit.tables.push_back(
+            {table.name, fmt::format("{}_{}", unit.name, table.name), address_bits(table), entry_bits(table)});
+    }
+}
+
 std::vector<GeneratedFile> generated_sources(std::string_view lobe, const Profile& profile,
-                                             const Architecture& architecture, const std::vector<Constant>& parameters,
+                                             const Architecture& architecture, const Hardware& hardware,
+                                             const std::vector<Constant>& parameters,
                                              const std::vector<Constant>& hls_constants,
                                              const std::vector<Table>& tables) {
-    return {core(lobe, profile, architecture, parameters, tables), axis(lobe, profile, architecture),
-            kernel(lobe, profile, hls_constants, tables)};
+    GeneratedFile unit = core(lobe, profile, architecture, parameters, tables);
+    unit.unit = core_unit(lobe, profile, architecture, hardware);
+    describe(*unit.unit, parameters, tables);
+    GeneratedFile wrapped = axis(lobe, profile, architecture);
+    wrapped.unit = axis_unit(*unit.unit, lobe, profile, architecture);
+    return {std::move(unit), std::move(wrapped), kernel(lobe, profile, hls_constants, tables)};
 }
 
 GeneratedFile gappa_script(std::string_view lobe, const Profile& profile, std::string_view format,

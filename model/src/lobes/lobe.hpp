@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "../blocks.hpp"
 #include "../domain.hpp"
 #include "glint/error.hpp"
 #include "glint/fixed_point.hpp"
@@ -107,10 +108,14 @@ GeneratedFile constants_header(const HeaderNames& names, const Profile& profile,
 /// A signed Verilog literal of `width` bits. Legal: |value| < 2^(width - 1).
 std::string verilog_literal(std::int64_t value, int width);
 
+/// What tables and numbers add to the description of a unit.
+void describe(HardwareUnit& unit, const std::vector<Constant>& parameters, const std::vector<Table>& tables);
+
 /// The Verilog wrappers of the unit and of its AXI4-Stream form, with the parameters set, those of the architecture as
 /// parameters of the wrapper, and the tables beside the unit; and the HLS header of constants.
 std::vector<GeneratedFile> generated_sources(std::string_view lobe, const Profile& profile,
-                                             const Architecture& architecture, const std::vector<Constant>& parameters,
+                                             const Architecture& architecture, const Hardware& hardware,
+                                             const std::vector<Constant>& parameters,
                                              const std::vector<Constant>& hls_constants,
                                              const std::vector<Table>& tables = {});
 

@@ -65,17 +65,19 @@ std::unique_ptr<GoldenModel> make_quadratic(const Profile& profile) {
 std::vector<GeneratedFile> emit_quadratic(const Profile& profile, const Architecture& architecture) {
     const QuadraticFormat f = quadratic_format(profile);
     const auto text = [](std::int64_t x) { return std::to_string(x); };
-    auto files = generated_sources(QuadraticFormat::lobe, profile, architecture,
-                                   {{"F", text(f.F), ""},
-                                    {"S", text(f.S), ""},
-                                    {"K", text(f.K), ""},
-                                    {"O", text(f.O), ""},
-                                    {"SLOPE", fmt::format("{}'d{}", f.K, f.slope), ""}},
-                                   {{"int F", text(f.F), "fraction bits of the cosine"},
-                                    {"int S", text(f.S), "fraction bits of w"},
-                                    {"int K", text(f.K), "fraction bits of the constant"},
-                                    {"int O", text(f.O), "fraction bits of the output"},
-                                    {"std::int64_t slope", text(f.slope), fmt::format("{}", quadratic_slope)}});
+    auto files =
+        generated_sources(QuadraticFormat::lobe, profile, architecture,
+                          {{block::ports(), block::product(), block::rounded(), block::rounded()}, {"glint_delay"}},
+                          {{"F", text(f.F), ""},
+                           {"S", text(f.S), ""},
+                           {"K", text(f.K), ""},
+                           {"O", text(f.O), ""},
+                           {"SLOPE", fmt::format("{}'d{}", f.K, f.slope), ""}},
+                          {{"int F", text(f.F), "fraction bits of the cosine"},
+                           {"int S", text(f.S), "fraction bits of w"},
+                           {"int K", text(f.K), "fraction bits of the constant"},
+                           {"int O", text(f.O), "fraction bits of the output"},
+                           {"std::int64_t slope", text(f.slope), fmt::format("{}", quadratic_slope)}});
     files.push_back(gappa_script(QuadraticFormat::lobe, profile,
                                  fmt::format("F, S, K, O: {}, {}, {}, {}", f.F, f.S, f.K, f.O),
                                  fmt::format(R"(

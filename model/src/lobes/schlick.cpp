@@ -44,10 +44,11 @@ std::unique_ptr<GoldenModel> make_schlick(const Profile& profile) {
 
 std::vector<GeneratedFile> emit_schlick(const Profile& profile, const Architecture& architecture) {
     const SchlickFormat f = schlick_format(profile);
-    auto files = generated_sources("schlick", profile, architecture,
-                                   {{"F", std::to_string(f.F), ""}, {"O", std::to_string(f.O), ""}},
-                                   {{"int F", std::to_string(f.F), "fraction bits of the cosine"},
-                                    {"int O", std::to_string(f.O), "fraction bits of the output"}});
+    auto files =
+        generated_sources("schlick", profile, architecture, {{block::ports(), block::ratio(f.O + 1), block::step()}},
+                          {{"F", std::to_string(f.F), ""}, {"O", std::to_string(f.O), ""}},
+                          {{"int F", std::to_string(f.F), "fraction bits of the cosine"},
+                           {"int O", std::to_string(f.O), "fraction bits of the output"}});
     files.push_back(gappa_script("schlick", profile, fmt::format("F, O: {}, {}", f.F, f.O),
                                  fmt::format(R"(
 # A name here has the meaning of docs/lobes/schlick.md, but stands for the value, not the code. Gappa checks each equation as

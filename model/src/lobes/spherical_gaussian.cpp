@@ -72,6 +72,7 @@ std::vector<GeneratedFile> emit_spherical_gaussian(const Profile& profile, const
     const auto text = [](std::int64_t value) { return std::to_string(value); };
     // a = 1.44 2^K and b = 1.12 2^K: K + 1 bits.
     return generated_sources(f.lobe, profile, architecture,
+                             {{block::ports(), block::rounded(), block::rounded(), block::exp2()}, {"glint_delay"}},
                              {{"F", text(f.F), ""},
                               {"K", text(f.K), ""},
                               {"E", text(f.exp2.E), ""},

@@ -164,7 +164,11 @@ std::vector<GeneratedFile> emit_taylor(const Profile& profile, const Architectur
                                            {"E", std::to_string(f.E), ""},
                                            {"S", std::to_string(f.S), ""},
                                            {"O", std::to_string(f.O), ""}};
-    auto files = generated_sources("taylor", profile, architecture, parameters,
+    auto files = generated_sources("taylor", profile, architecture,
+                                   {{block::ports(), block::rounded(), block::rounded(), block::square(), block::step(),
+                                     block::power(f.log_a - 1)},
+                                    {"glint_delay"}},
+                                   parameters,
                                    {{"int F", std::to_string(f.F), "fraction bits of the cosine"},
                                     {"int A", a, "the power"},
                                     {"int E", std::to_string(f.E), "fraction bits of e"},

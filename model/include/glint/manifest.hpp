@@ -1,0 +1,78 @@
+// What a unit of hardware is, for whoever builds, drives or prices it: an entry of rtl/units.json (docs/rtl.md, "The
+// manifest"), and its list of files for a simulator.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace glint {
+
+struct HardwareUnit {
+    struct File {
+        std::string name;        ///< by hand: its path in rtl/; generated: its name
+        bool generated = false;  ///< `glint emit` writes it
+        friend bool operator==(const File&, const File&) = default;
+    };
+    struct Port {
+        std::string name;
+        bool output = false;
+        int bits = 1;
+        std::string parameter;   ///< the parameter that says how many bits; empty: `bits`
+        bool is_signed = false;  ///< two's complement
+        std::string meaning;
+    };
+    struct Parameter {
+        std::string name;
+        std::string value;  ///< the default
+        std::string legal;  ///< for people
+        std::string meaning;
+    };
+    struct Architecture {
+        std::string name;  ///< as on the command line; of an effect "default"
+        std::vector<std::pair<std::string, int>> parameters;
+        int latency = 0;   ///< clocks from the edge that accepts an input to the first that can take its result
+        int interval = 0;  ///< clocks between two results without a stall
+    };
+    struct Memory {
+        std::string name;
+        std::string module;
+        int address_bits = 0, entry_bits = 0;
+    };
+
+    std::string name;          ///< of its top module
+    std::string_view kind;     ///< lobe, lobe_axis or effect
+    std::string lobe, effect;  ///< with the lobe's options; empty where there is none
+    std::string profile;       ///< as on the command line
+    int F = 0, O = 0;          ///< fraction bits of cosines and of results
+    std::string core;          ///< the module by hand inside; empty for a unit made of others alone
+    std::vector<std::pair<std::string, std::string>> numbers;  ///< the parameters of `core` that the unit sets
+    std::vector<File> files;                                   ///< in an order in which they compile, its own last
+    std::vector<Port> ports;                                   ///< in the order of the module
+    std::vector<Parameter> parameters;
+    std::vector<Architecture> architectures;  ///< the first has the defaults of the parameters
+    std::vector<Memory> tables;
+};
+
+/// Where the files of a manifest or of a list are: what stands before the path of one by hand, and of a generated one.
+struct FileRoots {
+    std::string_view by_hand, generated;
+};
+inline constexpr FileRoots committed_paths{"", "generated/"};  ///< of rtl/units.json
+inline constexpr FileRoots committed_list{"$(GLINT_RTL)/", "$(GLINT_RTL)/generated/"};
+inline constexpr FileRoots emitted_paths{"$(GLINT_RTL)/", ""};  ///< of a units.json beside generated files
+inline constexpr FileRoots emitted_list{"$(GLINT_RTL)/", "$(GLINT_EMITTED)/"};
+
+/// units.json of these units.
+std::string manifest(std::span<const HardwareUnit> units, const FileRoots& roots);
+
+/// A list of the files of a unit, one a line, for `verilator -f` and `iverilog -f`.
+std::string file_list(const HardwareUnit& unit, const FileRoots& roots);
+
+/// The units whose wrappers are committed: all lobes and effects at the shipped profiles, effects made of a lobe with
+/// the first lobe, AXI4-Stream units at p12.
+std::vector<HardwareUnit> committed_units();
+
+}  // namespace glint

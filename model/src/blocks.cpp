@@ -1,0 +1,116 @@
+#include "blocks.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+#include <fmt/format.h>
+
+#include "glint/error.hpp"
+
+namespace glint {
+namespace {
+
+struct Module {
+    std::string_view name;
+    std::vector<std::string_view> contains = {};
+};
+
+/// The modules by hand that units share. One that is not here is the core of a lobe or an effect, which says itself
+/// what it contains.
+const std::vector<Module>& modules() {
+    static const std::vector<Module> all{
+        {"glint_delay"},
+        {"glint_fifo"},
+        {"glint_skid"},
+        {"glint_multiplier"},
+        {"glint_divider_restoring"},
+        {"glint_divider_radix4"},
+        {"glint_divider_iterative"},
+        {"glint_divider_reciprocal", {"glint_delay", "glint_multiplier"}},
+        {"glint_divider",
+         {"glint_divider_restoring", "glint_divider_radix4", "glint_divider_iterative", "glint_divider_reciprocal"}},
+        {"glint_sqrt"},
+        {"glint_ports", {"glint_delay"}},
+        {"glint_stream", {"glint_delay"}},
+        {"glint_axis", {"glint_skid"}},
+        {"glint_dot"},
+        {"glint_colour"},
+        {"glint_ratio", {"glint_delay", "glint_multiplier", "glint_divider"}},
+        {"glint_ratio_symmetric", {"glint_delay", "glint_multiplier", "glint_divider"}},
+        {"glint_horner", {"glint_delay", "glint_multiplier"}},
+        {"glint_square", {"glint_multiplier"}},
+        {"glint_power", {"glint_delay", "glint_multiplier", "glint_square"}},
+        {"glint_parabola", {"glint_delay", "glint_multiplier"}},
+        {"glint_log2", {"glint_delay", "glint_parabola"}},
+        {"glint_exp2", {"glint_delay", "glint_parabola"}},
+        {"glint_attenuation", {"glint_log2"}},
+        {"glint_scaled_power", {"glint_delay", "glint_parabola"}},
+        {"glint_effect_ambient", {"glint_colour", "glint_stream"}},
+        {"glint_effect_tint", {"glint_colour", "glint_stream"}},
+        {"glint_shade_part", {"glint_fifo", "glint_effect_tint"}},
+        {"glint_effect_highlight", {"glint_dot"}},
+        {"glint_effect_shade",
+         {"glint_delay", "glint_fifo", "glint_stream", "glint_shade_part", "glint_effect_ambient"}},
+    };
+    return all;
+}
+
+void add(std::vector<HardwareUnit::File>& files, std::string_view module, const Hardware& hardware) {
+    const auto add_part = [&](std::string_view part) {
+        if (!part.empty()) add(files, part, {});
+    };
+    const auto known =
+        std::find_if(modules().begin(), modules().end(), [&](const Module& m) { return m.name == module; });
+    if (known != modules().end()) std::for_each(known->contains.begin(), known->contains.end(), add_part);
+    for (const Block& block : hardware.way) add_part(block.module);
+    std::for_each(hardware.beside.begin(), hardware.beside.end(), add_part);
+    add_files(files, {{fmt::format("{}.v", module)}});
+}
+
+}  // namespace
+
+std::vector<std::string_view> shared_modules() {
+    std::vector<std::string_view> out;
+    for (const Module& module : modules()) out.push_back(module.name);
+    return out;
+}
+
+Block Hardware::sum() const { return std::accumulate(way.begin(), way.end(), Block{}); }
+
+std::vector<HardwareUnit::File> files_of(std::string_view module, const Hardware& hardware) {
+    std::vector<HardwareUnit::File> out;
+    add(out, module, hardware);
+    return out;
+}
+
+void add_files(std::vector<HardwareUnit::File>& files, const std::vector<HardwareUnit::File>& more) {
+    for (const HardwareUnit::File& file : more) {
+        if (std::find(files.begin(), files.end(), file) == files.end()) files.push_back(file);
+    }
+}
+
+std::vector<HardwareUnit::Port> stream_ports(const std::vector<HardwareUnit::Port>& inputs,
+                                             const std::vector<HardwareUnit::Port>& outputs) {
+    std::vector<HardwareUnit::Port> out{{"clk_i", false, 1, "", false, "clock, rising edge"},
+                                        {"rst_ni", false, 1, "", false, "reset, synchronous, active low"},
+                                        {"valid_i", false, 1, "", false, "an input is offered"},
+                                        {"ready_o", true, 1, "", false, "the unit takes an input at this edge"}};
+    out.insert(out.end(), inputs.begin(), inputs.end());
+    out.push_back({"tag_i", false, 0, "TAG_W", false, "anything; leaves with the result"});
+    out.push_back({"valid_o", true, 1, "", false, "a result is offered"});
+    out.push_back({"ready_i", false, 1, "", false, "the receiver takes the result at this edge"});
+    out.insert(out.end(), outputs.begin(), outputs.end());
+    out.push_back({"tag_o", true, 0, "TAG_W", false, "the tag of this result's input"});
+    out.push_back({"clamped_o", true, 1, "", false, "an input was out of range and was corrected"});
+    return out;
+}
+
+HardwareUnit::Architecture timed(const Architecture& architecture, const Block& way) {
+    HardwareUnit::Architecture out{architecture.name, architecture.parameters, 0, 1};
+    out.latency = way.clocks + division_clocks(architecture, way.quotient_bits) +
+                  way.products * (architecture.parameter("MULTIPLIER_STAGES", 1) - 1);
+    if (!takes_one_a_clock(architecture)) out.interval = out.latency;
+    return out;
+}
+
+}  // namespace glint

@@ -1,0 +1,148 @@
+#include "glint/manifest.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <map>
+
+#include <fmt/format.h>
+
+#include "blocks.hpp"
+#include "glint/effect.hpp"
+#include "glint/lobes.hpp"
+
+namespace glint {
+namespace {
+
+/// A JSON string. The texts here hold no control characters.
+std::string quoted(std::string_view text) {
+    std::string out = "\"";
+    for (const char c : text) {
+        if (c == '"' || c == '\\') out += '\\';
+        out += c;
+    }
+    return out + '"';
+}
+
+template <class Items, class Text>
+std::string list(const Items& items, Text text, std::string_view open, std::string_view close,
+                 std::string_view between) {
+    std::string out(open);
+    std::string_view separator = "";
+    for (const auto& item : items) {
+        out += separator;
+        out += text(item);
+        separator = between;
+    }
+    return out += close;
+}
+
+template <class Items, class Text>
+std::string lines(const Items& items, Text text) {
+    return items.empty() ? "[]" : list(items, text, "[\n   ", "]", ",\n   ");
+}
+
+std::string path(const HardwareUnit::File& file, const FileRoots& roots) {
+    return fmt::format("{}{}", file.generated ? roots.generated : roots.by_hand, file.name);
+}
+
+std::string object(const std::vector<std::pair<std::string, int>>& values) {
+    return list(
+        values, [](const auto& v) { return fmt::format("{}: {}", quoted(v.first), v.second); }, "{", "}", ", ");
+}
+
+std::string object(const std::vector<std::pair<std::string, std::string>>& values) {
+    return list(
+        values, [](const auto& v) { return fmt::format("{}: {}", quoted(v.first), quoted(v.second)); }, "{", "}", ", ");
+}
+
+std::string described(const HardwareUnit& unit, const FileRoots& roots) {
+    const auto port = [](const HardwareUnit::Port& p) {
+        return fmt::format(R"({{"name": "{}", "direction": "{}", "width": {}, "signed": {}, "meaning": {}}})", p.name,
+                           p.output ? "output" : "input",
+                           p.parameter.empty() ? std::to_string(p.bits) : quoted(p.parameter), p.is_signed,
+                           quoted(p.meaning));
+    };
+    const auto parameter = [](const HardwareUnit::Parameter& p) {
+        return fmt::format(R"({{"name": "{}", "default": {}, "legal": {}, "meaning": {}}})", p.name, quoted(p.value),
+                           quoted(p.legal), quoted(p.meaning));
+    };
+    const auto architecture = [](const HardwareUnit::Architecture& a) {
+        return fmt::format(R"({{"name": "{}", "parameters": {}, "latency": {}, "interval": {}}})", a.name,
+                           object(a.parameters), a.latency, a.interval);
+    };
+    const auto table = [](const HardwareUnit::Memory& t) {
+        return fmt::format(R"({{"name": "{}", "module": "{}", "address_bits": {}, "entry_bits": {}}})", t.name,
+                           t.module, t.address_bits, t.entry_bits);
+    };
+    return fmt::format(R"({{"name": "{}", "kind": "{}", "lobe": {}, "effect": "{}", "profile": "{}", "F": {}, "O": {},
+  "core": {{"module": "{}", "parameters": {}}},
+  "files": {},
+  "ports": {},
+  "parameters": {},
+  "architectures": {},
+  "tables": {}}})",
+                       unit.name, unit.kind, quoted(unit.lobe), unit.effect, unit.profile, unit.F, unit.O, unit.core,
+                       object(unit.numbers),
+                       lines(unit.files, [&](const HardwareUnit::File& f) { return quoted(path(f, roots)); }),
+                       lines(unit.ports, port), lines(unit.parameters, parameter),
+                       lines(unit.architectures, architecture), lines(unit.tables, table));
+}
+
+/// The modules by hand, each with its files: those that units share, and the cores of units.
+std::string modules(std::span<const HardwareUnit> units, const FileRoots& roots) {
+    std::map<std::string, std::vector<HardwareUnit::File>> found;
+    for (const std::string_view name : shared_modules()) found.try_emplace(std::string(name), files_of(name));
+    for (const HardwareUnit& unit : units) {
+        if (unit.kind == "lobe_axis" || found.contains(unit.core)) continue;
+        std::vector<HardwareUnit::File>& files = found[unit.core];
+        std::copy_if(unit.files.begin(), unit.files.end(), std::back_inserter(files),
+                     [](const HardwareUnit::File& file) { return !file.generated; });
+    }
+    return list(
+        found,
+        [&](const auto& module) {
+            return fmt::format(
+                "{}: {}", quoted(module.first),
+                list(
+                    module.second, [&](const auto& file) { return quoted(path(file, roots)); }, "[", "]", ", "));
+        },
+        "{\n  ", "}", ",\n  ");
+}
+
+}  // namespace
+
+std::string manifest(std::span<const HardwareUnit> units, const FileRoots& roots) {
+    const bool variable = roots.by_hand.find('$') != std::string_view::npos;
+    return fmt::format("{{\"format\": 1,\n \"variables\": {},\n \"modules\": {},\n \"units\": [\n {}\n]}}\n",
+                       variable ? R"({"GLINT_RTL": "the folder rtl/ of Glint"})" : "{}", modules(units, roots),
+                       list(
+                           units, [&](const HardwareUnit& unit) { return described(unit, roots); }, "", "", ",\n "));
+}
+
+std::string file_list(const HardwareUnit& unit, const FileRoots& roots) {
+    std::string out = fmt::format(
+        "// The files of {}, for `verilator -f` and `iverilog -f`. GLINT_RTL in the environment is the folder rtl/ of "
+        "Glint{}.\n",
+        unit.name, roots.generated == emitted_list.generated ? ", GLINT_EMITTED that of this file" : "");
+    for (const HardwareUnit::File& file : unit.files) out += path(file, roots) + '\n';
+    return out;
+}
+
+std::vector<HardwareUnit> committed_units() {
+    std::vector<HardwareUnit> out;
+    for (const Lobe& lobe : lobes()) {
+        for (const Profile& profile : shipped_profiles()) {
+            for (GeneratedFile& file : lobe.emit(profile, default_architecture(lobe))) {
+                if (file.unit) out.push_back(std::move(*file.unit));
+            }
+        }
+    }
+    for (const Effect& effect : effects()) {
+        for (const Profile& profile : shipped_profiles()) {
+            out.push_back(std::move(*effect.emit(profile, lobes().front().name).front().unit));
+        }
+    }
+    return out;
+}
+
+}  // namespace glint

@@ -1,0 +1,18 @@
+// The files of glint_effect_cook_torrance_p8, for `verilator -f` and `iverilog -f`. GLINT_RTL in the environment is the folder rtl/ of Glint.
+$(GLINT_RTL)/glint_delay.v
+$(GLINT_RTL)/glint_stream.v
+$(GLINT_RTL)/glint_sqrt.v
+$(GLINT_RTL)/glint_divider_restoring.v
+$(GLINT_RTL)/glint_divider_radix4.v
+$(GLINT_RTL)/glint_divider_iterative.v
+$(GLINT_RTL)/glint_multiplier.v
+$(GLINT_RTL)/glint_divider_reciprocal.v
+$(GLINT_RTL)/glint_divider.v
+$(GLINT_RTL)/glint_square.v
+$(GLINT_RTL)/glint_parabola.v
+$(GLINT_RTL)/glint_scaled_power.v
+$(GLINT_RTL)/glint_dot.v
+$(GLINT_RTL)/glint_log2.v
+$(GLINT_RTL)/glint_attenuation.v
+$(GLINT_RTL)/glint_effect_cook_torrance.v
+$(GLINT_RTL)/generated/glint_effect_cook_torrance_p8.v

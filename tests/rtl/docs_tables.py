@@ -1,0 +1,82 @@
+#!/usr/bin/env python3
+"""The tables of units in docs/, between marks, are those of rtl/units.json.
+
+    docs_tables.py            fails where one is not current
+    docs_tables.py --write    writes them
+
+A table stands between `<!-- ports of UNIT -->` or `<!-- units of LOBE or EFFECT -->` and `<!-- end -->`; in UNIT, P stands
+for the profile.
+"""
+
+import re
+import sys
+
+from units import RTL, units
+
+DOCS = RTL.parent / "docs"
+MARKED = re.compile(r"(<!-- (ports|units) of (\w+) -->\n)(.*?)(<!-- end -->\n)", re.DOTALL)
+PROFILES = ("p8", "p12", "p16")
+
+
+def table(head, aligned, rows):
+    lines = [head, aligned, *rows]
+    return "".join("| " + " | ".join(cells) + " |\n" if cells != aligned else "|" + "|".join(cells) + "|\n" for cells in lines)
+
+
+def by_profile(every, name):
+    found = {profile: every[name[:-1] + profile] for profile in PROFILES if name[:-1] + profile in every}
+    if not name.endswith("_P") or not found:
+        raise ValueError(f"'{name}' is no unit of rtl/units.json, with P for its profile")
+    return found
+
+
+def ports(every, name):
+    found = by_profile(every, name)
+    widths = {tuple(port["width"] for port in unit["ports"]) for unit in found.values()}
+    shown = found if len(widths) > 1 else {"bits": next(iter(found.values()))}
+    rows = []
+    for place, port in enumerate(found["p12"]["ports"]):
+        bits = [f"{unit['ports'][place]['width']}" for unit in shown.values()]
+        meaning = port["meaning"].replace(f"2^{found['p12']['F']}", "2^F").replace(f"2^{found['p12']['O']}", "2^O")
+        rows.append([f"`{port['name']}`", port["direction"] + (", signed" if port["signed"] else ""), *bits, meaning])
+    heads = [f"`{profile}`" for profile in shown] if shown is found else list(shown)
+    return table(["port", "direction", *heads, "meaning"], ["---", "---", *["--:"] * len(shown), "---"], rows)
+
+
+def of(every, name):
+    names = {re.sub(r"_p\d+$", "_P", unit["name"]): None for unit in every.values() if name in (unit["effect"] or unit["lobe"],)}
+    if not names:
+        raise ValueError(f"'{name}' is no lobe or effect of rtl/units.json")
+    rows = []
+    for unit_name in names:
+        found = by_profile(every, unit_name)
+        for place, architecture in enumerate(found["p12"]["architectures"]):
+            if ":" in architecture["name"]:
+                continue
+            clocks = [str(found[profile]["architectures"][place]["latency"]) if profile in found else "" for profile in PROFILES]
+            interval = "1" if architecture["interval"] == 1 else "latency"
+            shown = "" if architecture["name"] == "default" else f"`{architecture['name']}`"
+            rows.append([f"`{unit_name}`" if place == 0 else "", shown, *clocks, interval])
+    return table(["unit", "architecture", *(f"`{profile}`" for profile in PROFILES), "interval"],
+                 ["---", "---", "--:", "--:", "--:", "---"], rows)
+
+
+def main():
+    every = units()
+    write = sys.argv[1:] == ["--write"]
+    done = stale = 0
+    for page in sorted(DOCS.rglob("*.md")):
+        text = page.read_text()
+        made = MARKED.sub(lambda m: m[1] + (ports if m[2] == "ports" else of)(every, m[3]) + m[4], text)
+        done += len(MARKED.findall(text))
+        if made != text and write:
+            page.write_text(made)
+        elif made != text:
+            print(f"FAILED: {page.relative_to(RTL.parent)}: its tables are not those of rtl/units.json: docs_tables.py --write")
+            stale += 1
+    print(f"{done} tables, {stale} pages that are not current")
+    return 1 if stale or not done else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
