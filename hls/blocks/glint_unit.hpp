@@ -105,9 +105,7 @@ std::uint32_t word(const Corrected<F>& in, uint<O + 1> y) {
 
 }  // namespace glint_hls
 
-// GLINT_TOP_FUNCTION(top, kernel): the top function `top`, one result a clock, of a kernel, which is a function from
-// (uint<10> n, sint<F + 2> cos_code) to the result word, a template on the struct of constants `top`_constants. Of the
-// arguments the low 10 and the low F + 2 bits count.
+// GLINT_PIPELINE_CATAPULT before a top function and GLINT_PIPELINE_VITIS as its first line: one result a clock.
 #ifdef GLINT_HLS_PRAGMAS
 #define GLINT_PIPELINE_CATAPULT _Pragma("hls_pipeline_init_interval 1")
 #define GLINT_PIPELINE_VITIS _Pragma("HLS PIPELINE II = 1")
@@ -115,13 +113,5 @@ std::uint32_t word(const Corrected<F>& in, uint<O + 1> y) {
 #define GLINT_PIPELINE_CATAPULT
 #define GLINT_PIPELINE_VITIS
 #endif
-#define GLINT_TOP_FUNCTION(top, kernel)                                                                  \
-    extern "C" std::uint32_t top(std::uint16_t n, std::int32_t cos_code);                                \
-    GLINT_PIPELINE_CATAPULT                                                                              \
-    extern "C" std::uint32_t top(std::uint16_t n, std::int32_t cos_code) {                               \
-        GLINT_PIPELINE_VITIS                                                                             \
-        return glint_hls::kernel<top##_constants>(glint_hls::to_uint<10>(n),                             \
-                                                  glint_hls::to_sint<top##_constants::F + 2>(cos_code)); \
-    }
 
 #endif

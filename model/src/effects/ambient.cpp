@@ -43,6 +43,7 @@ std::unique_ptr<EffectModel> make_ambient(const Profile& profile, std::string_vi
 std::vector<GeneratedFile> emit_ambient(const Profile& profile, std::string_view) {
     const Ambient model(profile);
     return {effect_wrapper(model, {{block::stream(), block::step(3)}}, {{"O", std::to_string(profile.O), ""}}),
+            effect_top(model),
             effect_constants(model, {{"int O", std::to_string(profile.O), "fraction bits of colours and terms"}})};
 }
 

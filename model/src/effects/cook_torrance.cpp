@@ -164,6 +164,7 @@ std::vector<GeneratedFile> emit(const Profile& profile, std::string_view) {
                              block::divider(f.w.S + 1), block::square(), block::scaled_power_factor()},
                             {"glint_dot", "glint_delay", "glint_log2", "glint_attenuation"}},
                            microfacets::parameters(profile, f.w), memories),
+            effect_top(model),
             effect_constants(model, microfacets::constants(profile, f.w),
                              {f.attenuation.log2.table(), f.power.exp2.table()})};
 }

@@ -132,6 +132,7 @@ std::vector<GeneratedFile> emit(const Profile& profile, std::string_view) {
                        {{block::stream(), block::step(), block::attenuation(), block::step(2), block::scaled_power()},
                         {"glint_dot", "glint_delay"}},
                        microfacets::parameters(profile, f.w), microfacets::memories(f.attenuation, f.power)),
+        effect_top(model),
         effect_constants(model, microfacets::constants(profile, f.w),
                          {f.attenuation.log2.table(), f.power.exp2.table()})};
 }

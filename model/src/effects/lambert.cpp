@@ -37,6 +37,7 @@ std::vector<GeneratedFile> emit_lambert(const Profile& profile, std::string_view
     const Lambert model(profile);
     return {effect_wrapper(model, {{block::stream(), block::step(2)}, {"glint_dot"}},
                            {{"F", std::to_string(profile.F), ""}, {"O", std::to_string(profile.O), ""}}),
+            effect_top(model),
             effect_constants(model, {{"int F", std::to_string(profile.F), "fraction bits of the dot product"},
                                      {"int O", std::to_string(profile.O), "fraction bits of the output"}})};
 }

@@ -127,6 +127,7 @@ std::vector<GeneratedFile> emit_oren_nayar(const Profile& profile, std::string_v
                            {{block::stream(), block::step(), block::divider(profile.O + 2), block::step(4)},
                             {"glint_dot", "glint_delay"}},
                            {{"F", text(profile.F), ""}, {"O", text(profile.O), ""}}),
+            effect_top(model),
             effect_constants(model, {{"int F", text(profile.F), "fraction bits of the dot products"},
                                      {"int O", text(profile.O), "fraction bits of the output"}}),
             proof(profile)};

@@ -65,6 +65,7 @@ std::unique_ptr<EffectModel> make_tint(const Profile& profile, std::string_view)
 std::vector<GeneratedFile> emit_tint(const Profile& profile, std::string_view) {
     const Tint model(profile);
     return {effect_wrapper(model, {{block::stream(), block::step(4)}}, {{"O", std::to_string(profile.O), ""}}),
+            effect_top(model),
             effect_constants(model, {{"int O", std::to_string(profile.O), "fraction bits of colours and terms"}})};
 }
 

@@ -160,6 +160,7 @@ std::vector<GeneratedFile> emit_ward(const Profile& profile, std::string_view) {
                             {"glint_dot", "glint_delay", "glint_log2"}},
                            {{"F", text(f.F), ""}, {"T", text(f.T), ""}, {"E", text(f.E), ""}, {"O", text(f.O), ""}},
                            {named("log2_nl", f.log2.table()), named("log2_nv", f.log2.table()), f.exp2.table()}),
+            effect_top(model),
             effect_constants(model,
                              {{"int F", text(f.F), "fraction bits of the dot products"},
                               {"int T", text(f.T), "address bits of log2"},

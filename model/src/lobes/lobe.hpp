@@ -97,13 +97,23 @@ struct TableText {
 };
 TableText table_text(const std::string& module, const std::vector<Table>& tables);
 
-/// An HLS header of constants <module>_<profile>_constants.hpp: the arguments of `glint emit` that write it, and the
-/// document that says what they mean.
-struct HeaderNames {
-    std::string module, command, document;
+/// An HLS kernel: a function template on a struct of constants, in <folder>/glint_<kernel>.hpp beside the generated
+/// folder.
+struct Kernel {
+    std::string folder, kernel;
+    std::string command;    ///< the arguments of `glint emit` that write its files
+    std::string document;   ///< that says what it computes
+    std::string result;     ///< of its top function: the type,
+    std::string arguments;  ///< the arguments,
+    std::string passed;     ///< and what of them the kernel gets
 };
-GeneratedFile constants_header(const HeaderNames& names, const Profile& profile, const std::vector<Constant>& constants,
+
+/// Its header glint_<kernel>_<profile>_constants.hpp: the constants, and the declaration of the top function.
+GeneratedFile constants_header(const Kernel& kernel, const Profile& profile, const std::vector<Constant>& constants,
                                const std::vector<Table>& tables);
+
+/// Its top function glint_<kernel>_<profile>, one result a clock, in a file of that name.
+GeneratedFile top_function(const Kernel& kernel, const Profile& profile);
 
 /// A signed Verilog literal of `width` bits. Legal: |value| < 2^(width - 1).
 std::string verilog_literal(std::int64_t value, int width);
@@ -119,8 +129,8 @@ std::vector<GeneratedFile> generated_sources(std::string_view lobe, const Profil
                                              const std::vector<Constant>& hls_constants,
                                              const std::vector<Table>& tables = {});
 
-/// The Gappa script of a lobe at a profile, headed as the runner of the proofs wants it. `format` says the word lengths,
-/// e.g. "F, S, O: 18, 15, 12".
+/// The Gappa script of a lobe at a profile, headed as the runner of the proofs wants it. `format` says the word
+/// lengths, e.g. "F, S, O: 18, 15, 12".
 GeneratedFile gappa_script(std::string_view lobe, const Profile& profile, std::string_view format,
                            std::string_view body);
 
