@@ -18,7 +18,8 @@ from pathlib import Path
 HERE = Path(__file__).resolve().parent
 ROOT = HERE.parent
 OPTIONS = argparse.Namespace(bench=None, models=None)
-LOBES = re.findall(r"^GLINT_LOBE\((\w+)\)$", (ROOT / "model/include/glint/lobes.def").read_text(), re.M)
+LOBES = list(dict.fromkeys(unit["lobe"] for unit in json.loads((ROOT / "rtl/units.json").read_text())["units"]
+                           if unit["kind"] == "lobe"))
 MODELS = re.findall(r'string_view name = "(\w+)"', (ROOT / "model/src/lighting.hpp").read_text())
 needs_valgrind = unittest.skipUnless(shutil.which("valgrind"), "Valgrind not found; install the package `valgrind`")
 

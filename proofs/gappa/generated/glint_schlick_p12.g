@@ -5,7 +5,7 @@
 # profile: p12
 # F, O: 18, 12
 
-# A name here has the meaning of docs/contract.md, but stands for the value, not the code. Gappa checks each equation as
+# A name here has the meaning of docs/lobes/schlick.md, but stands for the value, not the code. Gappa checks each equation as
 # algebra, for D other than 0, and warns of that; where it divides by D, D <> 0 is asked for, and proven.
 #@-Wno-null-denominator
 
