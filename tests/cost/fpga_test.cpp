@@ -2,18 +2,20 @@
 #include <filesystem>
 
 #include "catch.hpp"
-#include "common.hpp"
-#include "fpga_flow.hpp"
-#include "fpga_points.hpp"
-#include "fpga_table.hpp"
-#include "fpga_units.hpp"
+#include "cost/fpga/flow.hpp"
+#include "cost/fpga/points.hpp"
+#include "cost/fpga/table.hpp"
+#include "cost/fpga/units.hpp"
 #include "glint/effect.hpp"
 #include "glint/error.hpp"
 #include "glint/lobes.hpp"
-#include "process.hpp"
+#include "io/command.hpp"
+#include "io/process.hpp"
 
 using namespace glint;
-using namespace glint::cli;
+using namespace glint;
+using namespace glint::io;
+using namespace glint::fpga;
 
 namespace {
 
@@ -46,8 +48,8 @@ std::vector<Exchange> exchanges(const GoldenModel& model, const std::vector<std:
     return out;
 }
 
-FpgaPoint point(const std::string& lobe, int luts) {
-    FpgaPoint out;
+Point point(const std::string& lobe, int luts) {
+    Point out;
     out.lobe = lobe;
     out.profile = "p12";
     out.architecture = "restoring";
@@ -172,7 +174,7 @@ TEST_CASE("a cell without a price is refused") {
 }
 
 TEST_CASE("points: the median, and what follows from it") {
-    FpgaPoint some = point("bps", 100);
+    Point some = point("bps", 100);
     CHECK(some.clock_mhz() == Approx(80.0));
     CHECK(some.latency_ns() == Approx(250.0));
     CHECK(some.results_per_second() == Approx(40e6));
@@ -205,12 +207,12 @@ TEST_CASE("the file of effects' prices: one of shade a mask, one of a highlight 
     const TemporaryFolder folder;
     const std::filesystem::path file = folder.path() / "effects.json";
     const auto effect = [](const std::string& name, std::optional<int> mask, const std::string& lobe, int luts) {
-        FpgaPoint out = point(lobe, luts);
+        Point out = point(lobe, luts);
         out.effect = name;
         out.mask = mask;
         return out;
     };
-    const auto write = [&](const std::vector<FpgaPoint>& points) {
+    const auto write = [&](const std::vector<Point>& points) {
         write_file(file, merged(file, PriceFile::effects, {{"yosys", "1"}}, points));
         return nlohmann::json::parse(read_file(file))["points"];
     };
@@ -230,7 +232,7 @@ TEST_CASE("the file of effects' prices: one of shade a mask, one of a highlight 
 }
 
 TEST_CASE("units of effects: those they are made of beside them, MASK set, and results as by the mask") {
-    FpgaOptions options;
+    Options options;
     options.effect = "shade";
     options.mask = "3,8";
     const std::vector<PricedUnit> units = priced_units(options);
@@ -294,7 +296,7 @@ TEST_CASE("A program that does not end is stopped after its processor time, one 
 }
 
 TEST_CASE("A seed that is not routed is named in the file and counts in no median") {
-    FpgaPoint point;
+    Point point;
     point.lobe = "bps";
     point.profile = "p8";
     point.architecture = "restoring";
