@@ -1,11 +1,10 @@
 // `glint cost`: the table of accuracy and cost, or what fills it: prices, errors, word lengths.
-#include "cost/fpga/cost.hpp"
-
 #include <fmt/format.h>
 
 #include "cli/commands.hpp"
 #include "cost/accuracy.hpp"
 #include "cost/effect_prices.hpp"
+#include "cost/fpga/cost.hpp"
 #include "cost/grid.hpp"
 #include "cost/missing.hpp"
 #include "cost/table.hpp"
