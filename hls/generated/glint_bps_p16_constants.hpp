@@ -16,4 +16,6 @@ struct glint_bps_p16_constants {
     static constexpr std::int64_t d0 = 1435;
 };
 
+extern "C" std::uint32_t glint_bps_p16(std::uint16_t n, std::int32_t cos_code);
+
 #endif
