@@ -1,22 +1,32 @@
+// `glint eval`: one input of a lobe or of an effect with every intermediate value, or a stream of inputs.
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstdio>
 #include <iterator>
+#include <map>
+#include <set>
 #include <vector>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "cli/commands.hpp"
-#include "cli/eval_effect.hpp"
+#include "glint/effect.hpp"
 #include "glint/error.hpp"
 #include "glint/fixed_point.hpp"
+#include "glint/lobe_unit.hpp"
 #include "glint/reference.hpp"
 #include "io/command.hpp"
 
 namespace glint::cli {
 namespace {
+
+/// The values of an effect's input ports as given: --<port> x or --<port>-code c.
+struct PortValues {
+    std::map<std::string, std::string> reals, codes;
+};
 
 struct Options {
     std::string effect;
@@ -28,71 +38,178 @@ struct Options {
     std::int64_t cos_code = 0;
     bool from_stdin = false;
     std::string json;
-    bool port = false;
+    bool port = false;  ///< correct what is out of range instead of refusing it
 };
 
-int show(const GoldenModel& model, int n, std::int64_t cos_code, const Options& options, const std::string& command) {
-    if (!options.port) model.eval(n, cos_code);  // refuses what is not legal
-    const PortResult result = model.eval_port(n, cos_code);
-    const double c = std::ldexp(static_cast<double>(cos_code), -model.profile().F);
+using Codes = std::vector<std::int64_t>;  // one for each input port
+
+/// What is evaluated: the unit of a lobe or of an effect.
+struct Unit {
+    std::unique_ptr<GoldenModel> lobe;  ///< of a lobe; for an effect there is none
+    std::unique_ptr<EffectModel> model;
+
+    /// Throws Error where the codes are not legal, with `port` only where no port can carry them.
+    void check(const Codes& in, bool port) const {
+        const auto ports = model->inputs();
+        for (std::size_t p = 0; p < ports.size(); ++p) {
+            const bool legal = port ? in[p] >= ports[p].least() && in[p] <= ports[p].greatest()
+                                    : in[p] >= ports[p].low && in[p] <= ports[p].high;
+            if (legal) continue;
+            if (lobe) {
+                // Its own words. What an int cannot hold stays out of range.
+                const int n = static_cast<int>(std::clamp<std::int64_t>(in[0], -1, max_n + 1));
+                port ? static_cast<void>(lobe->eval_port(n, in[1])) : static_cast<void>(lobe->eval(n, in[1]));
+            }
+            if (port) model->eval_port(in);
+            throw Error(fmt::format("{} code {} is not legal: {} to {} (--port corrects)", ports[p].name, in[p],
+                                    ports[p].low, ports[p].high));
+        }
+    }
+};
+
+Unit make_unit(const Options& options) {
+    if (!options.effect.empty()) {
+        return {nullptr, find_effect(options.effect).golden(parse_profile(options.profile), options.lobe)};
+    }
+    const LobeChoice choice = parse_lobe(options.lobe);
+    Unit out{choice.lobe->golden(choice.profile(options.profile)), nullptr};
+    out.model = lobe_unit(*out.lobe);
+    return out;
+}
+
+double parse_real(const std::string& text, std::string_view port) {
+    double x = 0.0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), x);
+    if (error != std::errc{} || end != text.data() + text.size() || !std::isfinite(x)) {
+        throw Error(fmt::format("--{} '{}' is not legal: a finite number", port, text));
+    }
+    return x;
+}
+
+/// A code for each input port, from the command line.
+Codes effect_input(const EffectModel& model, const PortValues& values) {
+    std::set<std::string> unknown;
+    for (const auto& [name, text] : values.reals) unknown.insert(name);
+    for (const auto& [name, text] : values.codes) unknown.insert(name);
+    Codes in;
+    std::string names;
+    for (const EffectPort& port : model.inputs()) {
+        const std::string name(port.name);
+        names += fmt::format("{}{}", names.empty() ? "" : ", ", name);
+        const auto real = values.reals.find(name);
+        const auto code = values.codes.find(name);
+        if (code != values.codes.end()) {
+            in.push_back(
+                io::parse_integer(code->second, fmt::format("--{}-code", name), port.least(), port.greatest()));
+        } else if (real != values.reals.end()) {
+            in.push_back(port.code(parse_real(real->second, port.name)));
+        } else {
+            throw Error(fmt::format("--{0} or --{0}-code is missing: {1} to {2} (codes {3} to {4})", name,
+                                    port.real(port.low), port.real(port.high), port.low, port.high));
+        }
+        unknown.erase(name);
+    }
+    if (!unknown.empty()) {
+        throw Error(
+            fmt::format("--{} is not legal for {}: its inputs are {}", *unknown.begin(), model.effect(), names));
+    }
+    return in;
+}
+
+std::string described(std::span<const EffectPort> ports, const Codes& codes) {
+    std::string out;
+    for (std::size_t p = 0; p < ports.size(); ++p) {
+        out += fmt::format("{}{} {}", p == 0 ? "" : ", ", ports[p].name, codes[p]);
+    }
+    return out;
+}
+
+/// n and the cosine's code of a lobe, from the command line.
+Codes lobe_input(const GoldenModel& model, const Options& options, bool has_code) {
+    if (has_code) return {options.n, options.cos_code};
+    const std::int64_t code = quantize_cosine(options.cosine, model.profile().F);
+    if (!options.port && (code < 0 || code > model.profile().one())) {
+        throw Error(fmt::format("cosine {} is not legal: 0 to 1", options.cosine));
+    }
+    return {options.n, code};
+}
+
+/// What the results are beside: the unit's name and inputs in JSON, and the line above the table.
+std::string inputs(const Unit& unit, const Codes& in, nlohmann::ordered_json& json) {
+    const EffectModel& model = *unit.model;
+    json[unit.lobe ? "lobe" : "effect"] = model.effect();
+    json["profile"] = model.profile().name;
+    if (unit.lobe) {
+        json["n"] = in[0];
+        json["cos_code"] = in[1];
+        return fmt::format("{} {} n {} cos code {} (c = {:.9f})", model.effect(), model.profile().name, in[0], in[1],
+                           model.inputs()[1].real(in[1]));
+    }
+    json["inputs"] = nlohmann::ordered_json::object();
+    for (std::size_t p = 0; p < in.size(); ++p) json["inputs"][std::string(model.inputs()[p].name)] = in[p];
+    return fmt::format("{} {} {}", model.effect(), model.profile().name, described(model.inputs(), in));
+}
+
+int show(const Unit& unit, const Codes& in, const Options& options, const std::string& command) {
+    const EffectModel& model = *unit.model;
+    unit.check(in, options.port);
+    const EffectResult result = model.eval_port(in);
+    std::vector<double> arguments;
+    for (std::size_t p = 0; p < in.size(); ++p) arguments.push_back(model.inputs()[p].real(in[p]));
+    // The model's own real function, which knows the numbers of a custom profile and the options of a lobe.
+    const std::vector<double> real = model.reference(arguments);
+    nlohmann::ordered_json json{{"tool", "glint eval"}, {"command", command}};
+    const std::string heading = inputs(unit, in, json);
+    nlohmann::ordered_json values = nlohmann::ordered_json::array();
     std::vector<std::vector<std::string>> rows{{"value", "code", "fraction bits", "real"}};
-    for (const Intermediate& value : model.trace(n, cos_code)) {
+    for (const Intermediate& value : model.trace(in)) {
+        values.push_back({{"name", value.name}, {"code", value.code}, {"fraction_bits", value.fraction_bits}});
         rows.push_back({std::string(value.name), fmt::format("{}", value.code), fmt::format("{}", value.fraction_bits),
                         fmt::format("{:.9f}", std::ldexp(static_cast<double>(value.code), -value.fraction_bits))});
     }
-    const double y = std::ldexp(static_cast<double>(result.y), -model.profile().O);
-    const int counted = n == 0 ? 1 : n;
-    // The model's own real function, which knows the numbers of a custom profile and the options of a lobe.
-    const double within = std::clamp(c, 0.0, 1.0);
-    double real = 0.0;
-    if (c >= 0.0) model.reference(counted, {&within, 1}, {&real, 1});
-    const double blinn_phong = reference::blinn_phong(c, counted);
-    if (!options.json.empty()) {
-        nlohmann::ordered_json out{{"tool", "glint eval"},
-                                   {"command", command},
-                                   {"lobe", model.lobe()},
-                                   {"profile", model.profile().name},
-                                   {"n", n},
-                                   {"cos_code", cos_code},
-                                   {"y", result.y},
-                                   {"clamped", result.clamped},
-                                   {"values", nlohmann::ordered_json::array()},
-                                   {"real", real},
-                                   {"blinn_phong", blinn_phong}};
-        for (const Intermediate& value : model.trace(n, cos_code)) {
-            out["values"].push_back(
-                {{"name", value.name}, {"code", value.code}, {"fraction_bits", value.fraction_bits}});
-        }
-        io::write_file(options.json, out.dump(1) + "\n");
+    std::string text = fmt::format("{}{}\n{}", heading, result.clamped ? ", clamped" : "", io::table(rows));
+    nlohmann::ordered_json outputs, reals;
+    for (std::size_t p = 0; p < real.size(); ++p) {
+        const EffectPort& port = model.outputs()[p];
+        outputs[std::string(port.name)] = result.values[p];
+        reals[std::string(port.name)] = real[p];
+        text += fmt::format("{} of real numbers {:.9f}, rounding error {:.4f} ulp",
+                            unit.lobe ? model.effect() : port.name, real[p],
+                            std::abs(static_cast<double>(result.values[p]) - std::ldexp(real[p], port.fraction_bits)));
+        if (!unit.lobe) text += '\n';
     }
-    fmt::print("{} {} n {} cos code {} (c = {:.9f}){}\n{}", model.lobe(), model.profile().name, n, cos_code, c,
-               result.clamped ? ", clamped" : "", io::table(rows));
-    fmt::print("{} of real numbers {:.9f}, rounding error {:.4f} ulp; c^n {:.9f}, approximation error {:.6f}\n",
-               model.lobe(), real, std::abs(y - real) * std::ldexp(1.0, model.profile().O), blinn_phong,
-               std::abs(y - blinn_phong));
+    if (unit.lobe) {
+        const double c_to_n = reference::blinn_phong(arguments[1], in[0] == 0 ? 1 : static_cast<double>(in[0]));
+        text += fmt::format("; c^n {:.9f}, approximation error {:.6f}\n", c_to_n,
+                            std::abs(model.outputs()[0].real(result.values[0]) - c_to_n));
+        json.update({{"y", result.values[0]}, {"clamped", result.clamped}, {"values", values}, {"real", real[0]}});
+        json["blinn_phong"] = c_to_n;
+    } else {
+        json.update({{"outputs", outputs}, {"clamped", result.clamped}, {"values", values}, {"real", reals}});
+    }
+    if (!options.json.empty()) io::write_file(options.json, json.dump(1) + "\n");
+    fmt::print("{}", text);
     return io::success;
 }
 
-/// Lines "n cos_code" in, lines "y" (with the port semantics "y clamped") out, a block at a time.
+/// Lines with a code per input port in, lines with a code per output port (with the port semantics, `clamped` too) out,
+/// a block at a time.
 class Stream {
 public:
-    Stream(const GoldenModel& model, bool port) : model_(model), port_(port) {}
+    Stream(const Unit& unit, bool port)
+        : unit_(unit), port_(port), in_(unit.model->inputs().size()), out_(unit.model->outputs().size()) {}
 
     int run() {
         std::vector<char> block(1 << 20);
         std::string rest;  // an unfinished line of the last block
         while (const std::size_t got = std::fread(block.data(), 1, block.size(), stdin)) {
-            const char* begin = block.data();
-            const char* end = begin + got;
-            const char* last = end;
-            while (last != begin && last[-1] != '\n') --last;
-            if (last == begin) {
-                rest.append(begin, end);
-                continue;
+            const std::size_t whole = std::string_view(block.data(), got).rfind('\n') + 1;  // npos + 1 is 0
+            rest.append(block.data(), whole);
+            if (whole != 0) {
+                lines(rest);
+                rest.clear();
             }
-            rest.append(begin, last);
-            lines(rest);
-            rest.assign(last, end);
+            rest.append(block.data() + whole, got - whole);
         }
         if (!rest.empty()) lines(rest + '\n');
         if (line_ == 0) throw Error("standard input holds 0 lines, which is not legal: at least 1");
@@ -101,62 +218,85 @@ public:
 
 private:
     void lines(const std::string& text) {
-        n_.clear();
-        cos_code_.clear();
-        const std::size_t first = line_;
+        for (auto& column : in_) column.clear();
         const char* end = text.data() + text.size();
-        for (const char* p = text.data(); p != end;) {
-            int n = 0;
-            std::int64_t code = 0;
+        Codes row(in_.size());
+        for (const char* p = text.data(); p != end; ++p) {
             ++line_;
-            const auto a = std::from_chars(p, end, n);
-            const char* q = a.ptr;
-            while (q != end && *q == ' ') ++q;
-            const auto b = std::from_chars(q, end, code);
-            if (a.ec != std::errc{} || b.ec != std::errc{} || q == a.ptr || *b.ptr != '\n') {
-                throw Error(fmt::format("line {} is not legal: two integers, n and the cosine's code", line_));
+            for (std::size_t i = 0; i < row.size(); ++i) {
+                while (*p == ' ') ++p;
+                const auto [next, error] = std::from_chars(p, end, row[i]);
+                if (error != std::errc{}) refuse();
+                p = next;
             }
+            if (*p != '\n') refuse();
             try {
-                check(n, code);
+                unit_.check(row, port_);
             } catch (const Error& error) {
                 throw Error(fmt::format("line {}: {}", line_, error.what()));
             }
-            n_.push_back(static_cast<std::uint16_t>(n));
-            cos_code_.push_back(static_cast<std::int32_t>(code));
-            p = b.ptr + 1;
+            for (std::size_t i = 0; i < row.size(); ++i) in_[i].push_back(static_cast<std::int32_t>(row[i]));
         }
-        packed_.resize(line_ - first);
-        model_.eval_port_batch(n_, cos_code_, packed_);
-        out_.clear();
-        for (const std::uint32_t word : packed_) {
-            const PortResult result = unpack(word);
-            if (port_) {
-                fmt::format_to(std::back_inserter(out_), "{} {}\n", result.y, result.clamped ? 1 : 0);
-            } else {
-                fmt::format_to(std::back_inserter(out_), "{}\n", result.y);
+        std::vector<const std::int32_t*> inputs;
+        std::vector<std::int32_t*> outputs;
+        for (const auto& column : in_) inputs.push_back(column.data());
+        clamped_.resize(in_[0].size());
+        for (auto& column : out_) {
+            column.resize(clamped_.size());
+            outputs.push_back(column.data());
+        }
+        unit_.model->eval_port_batch(inputs, outputs, clamped_);
+        write();
+    }
+
+    void write() {
+        text_.clear();
+        for (std::size_t i = 0; i < clamped_.size(); ++i) {
+            for (std::size_t p = 0; p < out_.size(); ++p) {
+                if (p != 0) text_.push_back(' ');
+                fmt::format_to(std::back_inserter(text_), "{}", out_[p][i]);
             }
+            const std::string_view tail = !port_ ? "\n" : clamped_[i] != 0 ? " 1\n" : " 0\n";
+            text_.append(tail.data(), tail.data() + tail.size());
         }
-        if (std::fwrite(out_.data(), 1, out_.size(), stdout) != out_.size()) {
+        if (std::fwrite(text_.data(), 1, text_.size(), stdout) != text_.size()) {
             throw Error("standard output cannot be written");
         }
     }
 
-    void check(int n, std::int64_t code) const {
-        const std::int64_t one = model_.profile().one();
-        const bool legal = port_ ? n >= 0 && n <= max_n && code >= -2 * one && code < 2 * one
-                                 : n >= 1 && n <= max_n && code >= 0 && code <= one;
-        if (legal) return;
-        port_ ? static_cast<void>(model_.eval_port(n, code)) : static_cast<void>(model_.eval(n, code));
+    [[noreturn]] void refuse() const {
+        throw Error(
+            fmt::format("line {} is not legal: {}", line_,
+                        unit_.lobe ? "two integers, n and the cosine's code" : fmt::format("{} integers", in_.size())));
     }
 
-    const GoldenModel& model_;
+    const Unit& unit_;
     bool port_;
     std::size_t line_ = 0;
-    std::vector<std::uint16_t> n_;
-    std::vector<std::int32_t> cos_code_;
-    std::vector<std::uint32_t> packed_;
-    fmt::memory_buffer out_;
+    std::vector<std::vector<std::int32_t>> in_, out_;  // columns
+    std::vector<std::uint8_t> clamped_;
+    fmt::memory_buffer text_;
 };
+
+/// Options for every port that any effect has, but n, which `glint eval` has anyway. They are not listed in the help,
+/// for they would not fit a screen.
+void add_port_options(CLI::App& command, PortValues& values) {
+    std::set<std::string> names;
+    for (const Effect& effect : effects()) {
+        const auto model = effect.golden(shipped_profiles().front(), "bps");
+        for (const EffectPort& port : model->inputs()) names.emplace(port.name);
+    }
+    names.erase("n");
+    for (const std::string& name : names) {
+        command
+            .add_option_function<std::string>("--" + name, [&, name](const std::string& x) { values.reals[name] = x; })
+            ->group("");
+        command
+            .add_option_function<std::string>("--" + name + "-code",
+                                              [&, name](const std::string& x) { values.codes[name] = x; })
+            ->group("");
+    }
+}
 
 }  // namespace
 
@@ -187,28 +327,19 @@ void add_eval(CLI::App& app, Chosen& chosen) {
     command->footer("Example: glint eval --lobe bps --profile p12 --n 50 --cos 0.98");
     command->callback([=, &chosen] {
         chosen.run = [=, &chosen] {
-            if (!options->effect.empty()) {
-                if (n->count() != 0) options->ports.codes["n"] = std::to_string(options->n);
-                return eval_effect({options->effect, options->lobe, options->profile, options->json, chosen.command,
-                                    options->port, options->from_stdin},
-                                   options->ports);
-            }
-            if (!options->ports.reals.empty() || !options->ports.codes.empty()) {
+            const bool effect_asked = !options->effect.empty();
+            if (effect_asked && n->count() != 0) options->ports.codes["n"] = std::to_string(options->n);
+            if (!effect_asked && !(options->ports.reals.empty() && options->ports.codes.empty())) {
                 throw Error("values of ports are not legal without --effect");
             }
-            const LobeChoice choice = parse_lobe(options->lobe);
-            const auto model = choice.lobe->golden(choice.profile(options->profile));
-            if (options->from_stdin) return Stream(*model, options->port).run();
+            const Unit unit = make_unit(*options);
+            if (options->from_stdin) return Stream(unit, options->port).run();
+            if (effect_asked) {
+                return show(unit, effect_input(*unit.model, options->ports), *options, chosen.command);
+            }
             if (n->count() == 0) throw Error("--n is missing: 1 to 1023 (or --stdin)");
             if (cosine->count() + code->count() == 0) throw Error("--cos or --cos-code is missing (or --stdin)");
-            std::int64_t cos_code = options->cos_code;
-            if (code->count() == 0) {
-                cos_code = quantize_cosine(options->cosine, model->profile().F);
-                if (!options->port && (cos_code < 0 || cos_code > model->profile().one())) {
-                    throw Error(fmt::format("cosine {} is not legal: 0 to 1", options->cosine));
-                }
-            }
-            return show(*model, options->n, cos_code, *options, chosen.command);
+            return show(unit, lobe_input(*unit.lobe, *options, code->count() != 0), *options, chosen.command);
         };
     });
 }

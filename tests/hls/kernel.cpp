@@ -1,24 +1,24 @@
-// Holds a compiled HLS kernel against the golden model, bit for bit.
+// Holds a compiled HLS kernel, of a lobe or of an effect, against the golden model, bit for bit.
 //
-//   hls-kernel-<compiler> LOBE PROFILE legal      every legal input
-//   hls-kernel-<compiler> LOBE PROFILE illegal    n = 0 with every cosine code; every illegal cosine code with five n
-//   hls-kernel-<compiler> LOBE PROFILE sample     the corners, then 10^7 random inputs of the ports, seed 1
+//   hls-kernel-<compiler> LOBE PROFILE legal        every legal input
+//   hls-kernel-<compiler> LOBE PROFILE illegal      n = 0 with every cosine code; every illegal cosine code with five n
+//   hls-kernel-<compiler> LOBE PROFILE sample       the corners, then 10^7 random inputs of the ports, seed 1
+//   hls-kernel-<compiler> effect_NAME PROFILE ports all inputs where the ports carry at most 2^20; else the hard cases,
+//                                                   then 2 000 000 random inputs of the ports, seed 1
 //
 // Exit status: 0 all equal, 1 a difference or a wrong number of inputs, 2 bad arguments.
-#include <array>
 #include <atomic>
-#include <cstdint>
-#include <functional>
-#include <iterator>
-#include <memory>
 #include <mutex>
-#include <span>
-#include <string>
 #include <string_view>
+#include <tuple>
+#include <type_traits>
 #include <vector>
 
 #include <fmt/format.h>
 
+#include "glint/effect.hpp"
+#include "glint/error.hpp"
+#include "glint/lobe_unit.hpp"
 #include "glint/lobes.hpp"
 #include "glint/parallel.hpp"
 #include "glint/vectors.hpp"
@@ -27,146 +27,222 @@
 
 namespace {
 
-struct Kernel {
-    std::string_view lobe;
-    std::string_view profile;
-    std::uint32_t (*top)(std::uint16_t n, std::int32_t cos_code);
+using Columns = std::vector<std::vector<std::int32_t>>;
+
+/// What a top function takes its arguments from and writes to.
+struct Pins {
+    const Columns& in;
+    std::size_t i;
+    std::vector<std::uint32_t>& out;
+    bool clamped = false;
+    std::size_t inputs = 0, outputs = 0;
+
+    template <class Argument>
+    Argument next() {
+        if constexpr (std::is_same_v<Argument, bool*>) {
+            return &clamped;
+        } else if constexpr (std::is_pointer_v<Argument>) {
+            return &out.at(outputs++);
+        } else {
+            return static_cast<Argument>(in.at(inputs++)[i]);
+        }
+    }
 };
 
-// hls_kernels.inc: one GLINT_KERNEL(top, lobe, profile) for every kernel that the object files hold.
+template <class Result, class... Arguments>
+void call(Result (*top)(Arguments...), Pins& pins) {
+    const std::tuple<Arguments...> arguments{pins.next<Arguments>()...};  // braces: from left to right
+    if constexpr (std::is_void_v<Result>) {
+        std::apply(top, arguments);
+    } else {  // of a lobe: y, and clamped in bit 31
+        const glint::PortResult result = glint::unpack(std::apply(top, arguments));
+        pins.out.at(pins.outputs++) = result.y;
+        pins.clamped = result.clamped;
+    }
+}
+
+struct Kernel {
+    std::string_view unit;
+    std::string_view profile;
+    void (*run)(Pins&);
+};
+
+// hls_kernels.inc: one GLINT_KERNEL(top, unit, profile) for every kernel that the object files hold.
 const Kernel kernels[] = {
-#define GLINT_KERNEL(top, lobe, profile) {lobe, profile, top},
+#define GLINT_KERNEL(top, unit, profile) {unit, profile, [](Pins& pins) { call(top, pins); }},
 #include "hls_kernels.inc"
 #undef GLINT_KERNEL
 };
 
 class Comparison {
 public:
-    Comparison(const Kernel& kernel, const glint::GoldenModel& model) : kernel_(kernel), model_(model) {}
+    Comparison(const Kernel& kernel, const glint::EffectModel& model) : kernel_(kernel), model_(model) {}
 
-    /// Compares one batch; any thread.
-    void run(std::span<const std::uint16_t> n, std::span<const std::int32_t> cos_code) {
-        std::vector<std::uint32_t> golden(n.size());
-        model_.eval_port_batch(n, cos_code, golden);
-        std::uint64_t differing = 0;
-        for (std::size_t i = 0; i < n.size(); ++i) {
-            const std::uint32_t word = kernel_.top(n[i], cos_code[i]);
-            if (word == golden[i]) continue;
-            ++differing;
-            show(n[i], cos_code[i], word, golden[i]);
+    /// Compares one batch, a column per input port; any thread.
+    void run(const Columns& in) {
+        const std::size_t count = in[0].size();
+        Columns want(model_.outputs().size(), std::vector<std::int32_t>(count));
+        std::vector<std::uint8_t> clamped(count);
+        std::vector<const std::int32_t*> inputs;
+        std::vector<std::int32_t*> outputs;
+        for (const auto& column : in) inputs.push_back(column.data());
+        for (auto& column : want) outputs.push_back(column.data());
+        model_.eval_port_batch(inputs, outputs, clamped);
+        std::vector<std::uint32_t> out(want.size());
+        for (std::size_t i = 0; i < count; ++i) {
+            Pins pins{in, i, out};
+            kernel_.run(pins);
+            bool same = pins.inputs == in.size() && pins.outputs == out.size() && pins.clamped == (clamped[i] != 0);
+            for (std::size_t p = 0; p < out.size(); ++p)
+                same = same && out[p] == static_cast<std::uint32_t>(want[p][i]);
+            if (!same) show(pins, want, clamped[i] != 0);
         }
-        inputs_ += n.size();
-        mismatches_ += differing;
+        inputs_ += count;
     }
 
     std::uint64_t inputs() const { return inputs_; }
     std::uint64_t mismatches() const { return mismatches_; }
 
 private:
-    void show(int n, std::int32_t cos_code, std::uint32_t word, std::uint32_t golden) {
+    void show(const Pins& pins, const Columns& want, bool clamped) {
         const std::lock_guard lock(mutex_);
-        if (++shown_ > 10) return;
-        fmt::print("n = {}, cos_code = {}: kernel {:#010x}, golden {:#010x}\n", n, cos_code, word, golden);
+        if (++mismatches_ > 10) return;
+        for (std::size_t p = 0; p < pins.in.size(); ++p) {
+            fmt::print("{} {} ", model_.inputs()[p].name, pins.in[p][pins.i]);
+        }
+        fmt::print(": kernel");
+        for (const std::uint32_t code : pins.out) fmt::print(" {}", code);
+        fmt::print(" clamped {}, golden", pins.clamped);
+        for (const auto& column : want) fmt::print(" {}", column[pins.i]);
+        fmt::print(" clamped {}\n", clamped);
     }
 
     const Kernel& kernel_;
-    const glint::GoldenModel& model_;
+    const glint::EffectModel& model_;
     std::atomic<std::uint64_t> inputs_{0};
-    std::atomic<std::uint64_t> mismatches_{0};
+    std::uint64_t mismatches_ = 0;
     std::mutex mutex_;
-    int shown_ = 0;
 };
 
 constexpr std::int64_t batch = 1 << 14;
 
-/// The cosine codes first..last, both included, at one n.
-struct Row {
-    int n;
-    std::int64_t first;
-    std::int64_t last;
-};
-
-void compare_rows(const std::vector<Row>& rows, Comparison& comparison) {
-    glint::parallel_tasks(rows.size(), 0, {}, [&] {
-        return [&comparison, &rows, n = std::vector<std::uint16_t>(),
-                codes = std::vector<std::int32_t>()](std::size_t task) mutable {
-            const Row& row = rows[task];
-            for (std::int64_t low = row.first; low <= row.last; low += batch) {
-                const std::int64_t count = std::min(batch, row.last - low + 1);
-                n.assign(static_cast<std::size_t>(count), static_cast<std::uint16_t>(row.n));
-                codes.resize(static_cast<std::size_t>(count));
-                for (std::int64_t i = 0; i < count; ++i) {
-                    codes[static_cast<std::size_t>(i)] = static_cast<std::int32_t>(low + i);
-                }
-                comparison.run(n, codes);
+/// `count` inputs in batches on all threads, of which make(k, random, row) makes the k-th; a batch has its own seed.
+template <class Make>
+void compare(std::int64_t count, std::size_t ports, const Make& make, Comparison& comparison) {
+    glint::parallel_tasks(static_cast<std::size_t>((count + batch - 1) / batch), 0, {}, [&] {
+        return [&, columns = Columns(ports), row = std::vector<std::int64_t>(ports)](std::size_t task) mutable {
+            const std::int64_t first = static_cast<std::int64_t>(task) * batch;
+            const auto here = static_cast<std::size_t>(std::min(batch, count - first));
+            glint::Random random(1 + task);
+            for (auto& column : columns) column.resize(here);
+            for (std::size_t i = 0; i < here; ++i) {
+                make(first + static_cast<std::int64_t>(i), random, row);
+                for (std::size_t p = 0; p < ports; ++p) columns[p][i] = static_cast<std::int32_t>(row[p]);
             }
+            comparison.run(columns);
         };
     });
 }
 
-/// Returns the number of inputs that there are.
-std::uint64_t compare_legal(const glint::Profile& profile, Comparison& comparison) {
-    std::vector<Row> rows;
-    for (int n = 1; n <= glint::max_n; ++n) rows.push_back({n, 0, profile.one()});
-    compare_rows(rows, comparison);
-    return 1023 * ((std::uint64_t{1} << profile.F) + 1);
+void compare(const std::vector<std::vector<std::int64_t>>& rows, Comparison& comparison) {
+    if (rows.empty()) return;
+    compare(
+        static_cast<std::int64_t>(rows.size()), rows[0].size(),
+        [&](std::int64_t k, glint::Random&, auto& row) { row = rows[static_cast<std::size_t>(k)]; }, comparison);
 }
 
-std::uint64_t compare_illegal(const glint::Profile& profile, Comparison& comparison) {
-    const std::int64_t one = profile.one();
-    std::vector<Row> rows{{0, -2 * one, 2 * one - 1}};
+/// The cosine codes first..last, both included, at one n.
+void compare_codes(int n, std::int64_t first, std::int64_t last, Comparison& comparison) {
+    compare(
+        last - first + 1, 2, [=](std::int64_t k, glint::Random&, auto& row) { row[0] = n, row[1] = first + k; },
+        comparison);
+}
+
+// Each returns the number of inputs that there are.
+
+std::uint64_t compare_legal(std::int64_t one, Comparison& comparison) {
+    for (int n = 1; n <= glint::max_n; ++n) compare_codes(n, 0, one, comparison);
+    return 1023 * (static_cast<std::uint64_t>(one) + 1);
+}
+
+std::uint64_t compare_illegal(std::int64_t one, Comparison& comparison) {
+    compare_codes(0, -2 * one, 2 * one - 1, comparison);
     for (const int n : {1, 2, 50, 1000, 1023}) {
-        rows.push_back({n, -2 * one, -1});
-        rows.push_back({n, one + 1, 2 * one - 1});
+        compare_codes(n, -2 * one, -1, comparison);
+        compare_codes(n, one + 1, 2 * one - 1, comparison);
     }
-    compare_rows(rows, comparison);
-    return (std::uint64_t{1} << (profile.F + 2)) + 5 * (3 * (std::uint64_t{1} << profile.F) - 1);
+    return static_cast<std::uint64_t>(4 * one + 5 * (3 * one - 1));
 }
 
 std::uint64_t compare_sample(const glint::GoldenModel& model, Comparison& comparison) {
-    constexpr std::size_t tasks = 1000;
-    constexpr std::size_t per_task = 10000;
-    constexpr std::uint64_t seed = 1;
-    const std::vector<glint::TestVector> corners = glint::corner_vectors(model);
-    std::vector<std::uint16_t> n;
-    std::vector<std::int32_t> codes;
-    for (const glint::TestVector& corner : corners) {
-        n.push_back(static_cast<std::uint16_t>(corner.n));
-        codes.push_back(corner.cos_code);
-    }
-    comparison.run(n, codes);
+    constexpr std::int64_t count = 10'000'000;
+    std::vector<std::vector<std::int64_t>> corners;
+    for (const glint::TestVector& corner : glint::corner_vectors(model)) corners.push_back({corner.n, corner.cos_code});
+    compare(corners, comparison);
     const std::int64_t one = model.profile().one();
-    glint::parallel_tasks(tasks, 0, {}, [&] {
-        return [&comparison, one](std::size_t task) {
-            glint::Random random(seed + task);
-            std::vector<std::uint16_t> random_n(per_task);
-            std::vector<std::int32_t> random_codes(per_task);
-            for (std::size_t i = 0; i < per_task; ++i) {
-                // One in eight is anything that the ports can carry. Of the legal ones, every other lies in the
-                // highlight, where the result is not 0: within 16 / n of 1.
-                const int n_here = static_cast<int>(random.between(0, glint::max_n));
-                const bool any = random.between(0, 7) == 0;
-                const bool highlight = random.between(0, 1) == 0;
-                const std::int64_t width = n_here <= 16 ? one : one / n_here * 16;
-                random_n[i] = static_cast<std::uint16_t>(n_here);
-                random_codes[i] = static_cast<std::int32_t>(any         ? random.between(-2 * one, 2 * one - 1)
-                                                            : highlight ? random.between(one - width, one)
-                                                                        : random.between(0, one));
+    const auto make = [one](std::int64_t, glint::Random& random, std::vector<std::int64_t>& row) {
+        // One in eight is anything that the ports can carry. Of the legal ones, every other lies in the highlight,
+        // where the result is not 0: within 16 / n of 1.
+        const std::int64_t n = random.between(0, glint::max_n);
+        const bool any = random.between(0, 7) == 0;
+        const bool highlight = random.between(0, 1) == 0;
+        const std::int64_t width = n <= 16 ? one : one / n * 16;
+        row = {n, any         ? random.between(-2 * one, 2 * one - 1)
+                  : highlight ? random.between(one - width, one)
+                              : random.between(0, one)};
+    };
+    compare(count, 2, make, comparison);
+    return corners.size() + count;
+}
+
+std::uint64_t compare_ports(const glint::Effect& effect, const glint::EffectModel& model, Comparison& comparison) {
+    const auto ports = model.inputs();
+    int bits = 0;
+    for (const glint::EffectPort& port : ports) bits += port.bits;
+    if (bits <= 20) {
+        const auto make = [ports](std::int64_t k, glint::Random&, std::vector<std::int64_t>& row) {
+            for (std::size_t p = 0; p < ports.size(); ++p) {
+                row[p] = ports[p].least() + (k & ((std::int64_t{1} << ports[p].bits) - 1));
+                k >>= ports[p].bits;
             }
-            comparison.run(random_n, random_codes);
         };
-    });
-    return corners.size() + tasks * per_task;
+        compare(std::int64_t{1} << bits, ports.size(), make, comparison);
+        return std::uint64_t{1} << bits;
+    }
+    constexpr std::int64_t count = 2'000'000;
+    std::vector<std::vector<std::int64_t>> cases;
+    for (const glint::EffectCase& c : effect.hard_cases(model)) cases.push_back(c.in);
+    compare(cases, comparison);
+    const auto make = [ports](std::int64_t k, glint::Random& random, std::vector<std::int64_t>& row) {
+        for (std::size_t p = 0; p < ports.size(); ++p) {
+            row[p] = k % 4 != 0 ? random.between(ports[p].low, ports[p].high)
+                                : random.between(ports[p].least(), ports[p].greatest());
+            if (k % 2 == 0) row[p] >>= random.between(0, ports[p].bits);  // small ones, too, of every size
+        }
+    };
+    compare(count, ports.size(), make, comparison);
+    return cases.size() + count;
 }
 
 int check(const Kernel& kernel, std::string_view mode) {
+    constexpr std::string_view prefix = "effect_";
     const glint::Profile profile = glint::parse_profile(kernel.profile);
-    const std::unique_ptr<glint::GoldenModel> model = glint::find_lobe(kernel.lobe).golden(profile);
+    std::unique_ptr<glint::GoldenModel> lobe;
+    std::unique_ptr<glint::EffectModel> model;
+    const glint::Effect* effect = nullptr;
+    if (mode == "ports") {
+        effect = &glint::find_effect(kernel.unit.substr(prefix.size()));
+        model = effect->golden(profile, "bps");
+    } else {
+        lobe = glint::find_lobe(kernel.unit).golden(profile);
+        model = glint::lobe_unit(*lobe);
+    }
     Comparison comparison(kernel, *model);
-    const std::uint64_t expected = mode == "legal"     ? compare_legal(profile, comparison)
-                                   : mode == "illegal" ? compare_illegal(profile, comparison)
-                                                       : compare_sample(*model, comparison);
-    fmt::print("{}, {} inputs of {} {}: {} inputs, {} mismatches\n", GLINT_KERNEL_COMPILER, mode, kernel.lobe,
+    const std::uint64_t expected = mode == "legal"     ? compare_legal(profile.one(), comparison)
+                                   : mode == "illegal" ? compare_illegal(profile.one(), comparison)
+                                   : mode == "sample"  ? compare_sample(*lobe, comparison)
+                                                       : compare_ports(*effect, *model, comparison);
+    fmt::print("{}, {} inputs of {} {}: {} inputs, {} mismatches\n", GLINT_KERNEL_COMPILER, mode, kernel.unit,
                kernel.profile, comparison.inputs(), comparison.mismatches());
     if (comparison.inputs() != expected || expected == 0) {
         fmt::print(stderr, "{} inputs were compared; there are {}\n", comparison.inputs(), expected);
@@ -178,16 +254,17 @@ int check(const Kernel& kernel, std::string_view mode) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    const std::string_view lobe = argc > 1 ? argv[1] : "";
+    const std::string_view unit = argc > 1 ? argv[1] : "";
     const std::string_view profile = argc > 2 ? argv[2] : "";
     const std::string_view mode = argc > 3 ? argv[3] : "";
-    if (argc == 4 && (mode == "legal" || mode == "illegal" || mode == "sample")) {
+    const bool of_effect = unit.starts_with("effect_");
+    if (argc == 4 && (of_effect ? mode == "ports" : mode == "legal" || mode == "illegal" || mode == "sample")) {
         for (const Kernel& kernel : kernels) {
-            if (kernel.lobe == lobe && kernel.profile == profile) return check(kernel, mode);
+            if (kernel.unit == unit && kernel.profile == profile) return check(kernel, mode);
         }
     }
-    fmt::print(stderr, "lobe '{}', profile '{}', mode '{}' are not legal; kernels:", lobe, profile, mode);
-    for (const Kernel& kernel : kernels) fmt::print(stderr, " {} {},", kernel.lobe, kernel.profile);
-    fmt::print(stderr, " modes: legal illegal sample\n");
+    fmt::print(stderr, "unit '{}', profile '{}', mode '{}' are not legal; kernels:", unit, profile, mode);
+    for (const Kernel& kernel : kernels) fmt::print(stderr, " {} {},", kernel.unit, kernel.profile);
+    fmt::print(stderr, " modes: legal illegal sample; of effects: ports\n");
     return 2;
 }
