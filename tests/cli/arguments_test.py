@@ -2,8 +2,9 @@
 
 import os
 import random
+import re
 
-from case import Case, OPTIONS
+from case import Case, OPTIONS, PROFILES
 
 
 class Arguments(Case):

@@ -11,7 +11,6 @@ import csv
 import itertools
 import json
 import os
-import random
 import re
 import resource
 import signal
