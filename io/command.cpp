@@ -46,6 +46,7 @@ void refuse_empty(int argc, char** argv) {
         const std::string_view text = argv[i];
         const std::string_view before = argv[i - 1];
         const bool option = before.size() > 1 && before.front() == '-' && i > 1;
+        if (before == "--n") continue;  // refused wherever it is read, with what is legal
         if (text.empty()) {
             throw Error(fmt::format("{} '' is not legal: an empty text is no value", option ? before : "argument"));
         }
