@@ -5,6 +5,7 @@
 
 #include "glint/error.hpp"
 #include "glint/fixed_point.hpp"
+#include "glint/lanes.hpp"
 #include "glint/reference.hpp"
 #include "glint/vectors.hpp"
 #include "lobe_checks.hpp"
