@@ -220,23 +220,41 @@ private:
     void lines(const std::string& text) {
         for (auto& column : in_) column.clear();
         const char* end = text.data() + text.size();
+        std::string complaint;
         Codes row(in_.size());
-        for (const char* p = text.data(); p != end; ++p) {
+        for (const char* p = text.data(); p != end && complaint.empty(); ++p) {
             ++line_;
-            for (std::size_t i = 0; i < row.size(); ++i) {
-                while (*p == ' ') ++p;
-                const auto [next, error] = std::from_chars(p, end, row[i]);
-                if (error != std::errc{}) refuse();
-                p = next;
-            }
-            if (*p != '\n') refuse();
             try {
+                p = parse(p, end, row);
                 unit_.check(row, port_);
+                for (std::size_t i = 0; i < row.size(); ++i) in_[i].push_back(static_cast<std::int32_t>(row[i]));
             } catch (const Error& error) {
-                throw Error(fmt::format("line {}: {}", line_, error.what()));
+                complaint = fmt::format("line {}{}{}", line_,
+                                        std::string_view(error.what()).starts_with("is") ? " " : ": ", error.what());
             }
-            for (std::size_t i = 0; i < row.size(); ++i) in_[i].push_back(static_cast<std::int32_t>(row[i]));
         }
+        write();  // also the results of the lines before one that is not legal
+        if (!complaint.empty()) throw Error(complaint);
+    }
+
+    /// Reads a line that begins at p, and returns its end. Throws Error.
+    const char* parse(const char* p, const char* end, Codes& row) const {
+        const auto refuse = [&] {
+            return Error(unit_.lobe ? "is not legal: two integers, n and the cosine's code"
+                                    : fmt::format("is not legal: {} integers", row.size()));
+        };
+        for (std::int64_t& code : row) {
+            while (*p == ' ') ++p;
+            const auto [next, error] = std::from_chars(p, end, code);
+            if (error != std::errc{}) throw refuse();
+            p = next;
+        }
+        if (*p == '\r') ++p;
+        if (p == end || *p != '\n') throw refuse();
+        return p;
+    }
+
+    void write() {
         std::vector<const std::int32_t*> inputs;
         std::vector<std::int32_t*> outputs;
         for (const auto& column : in_) inputs.push_back(column.data());
@@ -246,10 +264,6 @@ private:
             outputs.push_back(column.data());
         }
         unit_.model->eval_port_batch(inputs, outputs, clamped_);
-        write();
-    }
-
-    void write() {
         text_.clear();
         for (std::size_t i = 0; i < clamped_.size(); ++i) {
             for (std::size_t p = 0; p < out_.size(); ++p) {
@@ -259,15 +273,9 @@ private:
             const std::string_view tail = !port_ ? "\n" : clamped_[i] != 0 ? " 1\n" : " 0\n";
             text_.append(tail.data(), tail.data() + tail.size());
         }
-        if (std::fwrite(text_.data(), 1, text_.size(), stdout) != text_.size()) {
+        if (std::fwrite(text_.data(), 1, text_.size(), stdout) != text_.size() || std::fflush(stdout) != 0) {
             throw Error("standard output cannot be written");
         }
-    }
-
-    [[noreturn]] void refuse() const {
-        throw Error(
-            fmt::format("line {} is not legal: {}", line_,
-                        unit_.lobe ? "two integers, n and the cosine's code" : fmt::format("{} integers", in_.size())));
     }
 
     const Unit& unit_;

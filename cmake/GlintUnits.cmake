@@ -81,7 +81,7 @@ function(glint_unit out id module rtl alike also emit arguments)
   set(library glint-verilated)
   foreach(target unit-${id} waveform-${id})
     set(place ${folder}${form})
-    add_custom_command(OUTPUT ${place}/${prefix}.h ${place}/${prefix}.all.cpp
+    add_custom_command(OUTPUT ${place}/${prefix}.h ${place}/${prefix}.all.inc
       COMMAND ${CMAKE_COMMAND} -E env ${environment} ${GLINT_TESTBENCH}/verilate.sh ${place} ${prefix}
         --top-module ${module} ${arguments} -f ${list}
       DEPENDS ${GLINT_TESTBENCH}/verilate.sh ${list} ${files} ${also} VERBATIM COMMENT "Verilating ${target}")
@@ -97,7 +97,7 @@ function(glint_unit out id module rtl alike also emit arguments)
     target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O2>)
     target_include_directories(${target} SYSTEM PRIVATE ${place})
     target_compile_definitions(${target} PRIVATE GLINT_MODEL=${prefix}
-      GLINT_VERILATED="${prefix}.all.cpp" GLINT_ID="${id}" ${pins} ${ARGN})
+      GLINT_VERILATED="${prefix}.all.inc" GLINT_ID="${id}" ${pins} ${ARGN})
     target_link_libraries(${target} PRIVATE glint-units PUBLIC ${library})
     glint_own_code(${target})
     set(form -waveform)

@@ -100,6 +100,7 @@ public:
     explicit Report(const Options& options) : options_(options) {
         io::check_writable(options.json);
         io::check_writable(options.junit);
+        io::check_writable(options.trace);
     }
 
     void add(const std::string& name, std::string_view test, double seconds, const std::string& complaint) {
@@ -227,6 +228,10 @@ int main(int argc, char** argv) {
     app.add_option("--stall-probability", options.stall_probability,
                    "Chance of a bubble at the input, and of a stall at the output")
         ->check(CLI::Range(0.0, 0.99))
+        ->check([](const std::string& text) {  // a NaN is in every range
+            return text.find_first_not_of("0123456789.eE+-") == text.npos ? ""
+                                                                          : "'" + text + "' is not legal: 0 to 0.99";
+        })
         ->capture_default_str();
     io::add_integer(app, "--seed", options.seed, 0, io::largest_seed, "Seed of all that is random");
     io::add_integer(app, "--threads", options.threads, 0, io::most_threads, "Threads; 0: one a core");
