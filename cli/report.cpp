@@ -41,8 +41,8 @@ Json cost_json(const std::string& folder) {
     const cost::Scope scope{{8, 1000, 1}, cost::Cosine::rounded, {}};  // the exponents that the papers speak of
     std::vector<cost::Configuration> all = cost::join(data, scope, "");
     cost::sort_by(all, cost::Metric::error);
-    Json out = cost::table_json(all, cost::common_axes, data, data.cpu ? data.cpu->prices : std::vector<cost::CpuPrice>(),
-                                scope);
+    Json out = cost::table_json(all, cost::common_axes, data,
+                                data.cpu ? data.cpu->prices : std::vector<cost::CpuPrice>(), scope);
     std::set<std::string> with_dsps;
     for (std::size_t i = 0; i < all.size(); ++i) {
         out["configurations"][i]["emit"] = emit_line(all[i]);
@@ -73,7 +73,8 @@ Json hard_cases_json(const std::vector<nlohmann::json>& results) {
     }
     Json tables = Json::array();
     const auto add = [&](const HardCaseTable& table) {
-        tables.push_back({{"title", table.title}, {"columns", table.columns}, {"sentences", table.sentences}, {"rows", table.rows}});
+        tables.push_back(
+            {{"title", table.title}, {"columns", table.columns}, {"sentences", table.sentences}, {"rows", table.rows}});
     };
     for (const Lobe& lobe : lobes()) {
         if (reported.contains(std::string(lobe.name))) add(hard_case_table(lobe));
@@ -83,11 +84,14 @@ Json hard_cases_json(const std::vector<nlohmann::json>& results) {
 }
 
 int run_report(const Options& options, const std::string& command) {
-    const auto json_of = [](const std::string& path) { return path.empty() ? nlohmann::json() : io::read_json(path, path); };
+    const auto json_of = [](const std::string& path) {
+        return path.empty() ? nlohmann::json() : io::read_json(path, path);
+    };
     std::vector<nlohmann::json> results;
     for (const std::string& path : options.results) results.push_back(read_results(path));
     const nlohmann::json proofs = options.proofs.empty() ? nlohmann::json() : read_proofs(options.proofs);
-    Json report{{"format", "glint-report-1"}, {"version", GLINT_VERSION}, {"command", command}, {"lobes", Json::array()}};
+    Json report{
+        {"format", "glint-report-1"}, {"version", GLINT_VERSION}, {"command", command}, {"lobes", Json::array()}};
     for (const Lobe& lobe : lobes()) report["lobes"].push_back(lobe.name);
     report["problems"] = problems(results, proofs);
     report["results"] = results;
@@ -108,7 +112,8 @@ void add_report(CLI::App& app, Chosen& chosen) {
     CLI::App* command = app.add_subcommand(
         "report", "A page with measured results, the papers' claims checked, and which unit to take");
     command->add_option("--results", options->results, "JSON files of glint-cosim or glint sweep")->required();
-    command->add_option("--proofs", options->proofs, "JSON file of proofs/gappa/run.py, for the table of proven bounds");
+    command->add_option("--proofs", options->proofs,
+                        "JSON file of proofs/gappa/run.py, for the table of proven bounds");
     add_options(*command, options->study);
     command->add_option("--cost", options->cost, "Folder of accuracy.json and fpga.json, for what accuracy costs");
     command->add_option("-o,--output", options->output, "Folder for index.html, report.json, figures and pictures")

@@ -12,14 +12,13 @@ namespace glint::cost {
 
 /// All times are nanoseconds a result, medians over repetitions.
 struct CpuPrice {
-    std::string
-        name;  ///< of a form of studies/forms.hpp, a lobe, or a rival: "pow"; or of a lighting model
-    std::string type;                    ///< "double", "float" or "fixed"
-    std::string profile;                 ///< of "fixed"
-    std::string form;                    ///< "scalar" or "batch"
-    std::string formula;                 ///< as evaluated
-    double throughput = 0;               ///< of many independent evaluations
-    double q1 = 0, q3 = 0;               ///< its quartiles over the repetitions
+    std::string name;       ///< of a form of studies/forms.hpp, a lobe, or a rival: "pow"; or of a lighting model
+    std::string type;       ///< "double", "float" or "fixed"
+    std::string profile;    ///< of "fixed"
+    std::string form;       ///< "scalar" or "batch"
+    std::string formula;    ///< as evaluated
+    double throughput = 0;  ///< of many independent evaluations
+    double q1 = 0, q3 = 0;  ///< its quartiles over the repetitions
     std::optional<double> latency;       ///< each evaluation waits for the one before; scalar only
     std::optional<double> instructions;  ///< a result; none where Valgrind was missing
 };

@@ -37,7 +37,8 @@ void run_page_script(const std::string& script, const std::string& json, const f
         run_program(*python, {"-B", path.string(), input.string(), "-o", output.string()}, fs::current_path(), log);
     const std::string said = read_file(log);
     if (status == 2) throw Error(last_line(said));
-    if (status != 0) throw Error(fmt::format("{} failed with exit status {}: {}", path.string(), status, last_line(said)));
+    if (status != 0)
+        throw Error(fmt::format("{} failed with exit status {}: {}", path.string(), status, last_line(said)));
     fmt::print("{}", said);
 }
 

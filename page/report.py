@@ -52,9 +52,6 @@ def minified(script):
 
 # ---- the numbers that several parts of the page need ---------------------------------------------------------------
 
-FIRST_N = 8  # f_bps was published for n from here on; the smaller ones, where it errs most, would hide its error there
-
-
 def measured_runs(results):
     """For every lobe and profile the run that measured the most inputs, with the number of its command."""
     best = {}
@@ -81,12 +78,13 @@ def merged(rows):
     return out
 
 
-def accuracy(runs):
-    """Rows of the table of errors: each run as a whole, and from n = 8 on where it has smaller ones too."""
+def accuracy(runs, first_n):
+    """Rows of the table of errors: each run as a whole, and from first_n on where it has smaller ones too. f_bps was
+    published for n from there on; the smaller ones, where it errs most, would hide its error."""
     out = []
     for run in runs:
         out.append({**run, "n": [row["n"] for row in run["rows"]], "errors": run["total"]})
-        rows = [row for row in run["rows"] if row["n"] >= FIRST_N]
+        rows = [row for row in run["rows"] if row["n"] >= first_n]
         if 0 < len(rows) < len(run["rows"]):
             out.append({**run, "exhaustive": False, "n": [row["n"] for row in rows], "errors": merged(rows)})
     return out
@@ -216,13 +214,12 @@ FILTERS = {
 # ---- figures -------------------------------------------------------------------------------------------------------
 
 MAP_SCALE, DELTA_SCALE = 0.03, 0.015  # where the colours of the maps end
-LEAST_DEGREES = 0.25
 
 
 def scripts(study):
     """The still plots of the page."""
     first, last = study["paper_1"]["first_n"], study["paper_1"]["last_n"]
-    degrees = math.log10(LEAST_DEGREES), math.log10(90)
+    degrees = math.log10(study["least_degrees"]), math.log10(90)
     top_n = math.log10(study["map"]["last_n"])
     out = {"curves": stills.curves_plot(study["curves"]),
            "map": stills.map_plot("map", study["map"], (0, degrees[0]), (top_n, degrees[1]), study["map"]["error"], MAP_SCALE)}
@@ -312,12 +309,12 @@ def page(report, jinja2, plotly):
     environment.globals.update(cos=math.cos, exp=math.exp, radians=math.radians, zip=zip)
     data = json.dumps(page_data(report, runs), separators=(",", ":")).replace("<", "\\u003c")
     return environment.get_template("page.html").render(
-        report=report, study=report["study"], cost=report["cost"], runs=runs, accuracy=accuracy(runs),
+        report=report, study=report["study"], cost=report["cost"], runs=runs, accuracy=accuracy(runs, report["study"]["paper_1"]["first_n"]),
         all_runs=[run for file in report["results"] for run in file["runs"]],
         cpu=Prices(report["cpu"], "lobe") if report["cpu"] else None,
         cpu_models=Prices(report["cpu_models"], "model") if report["cpu_models"] else None,
         pairs=forms_of_cook_torrance(report["cost"] and report["cost"]["effects"]), ratio=ratio,
-        figures=figures, map_scale=MAP_SCALE, delta_scale=DELTA_SCALE, least_degrees=LEAST_DEGREES,
+        figures=figures, map_scale=MAP_SCALE, delta_scale=DELTA_SCALE,
         style=markupsafe.Markup((stills.FOLDER / "style.css").read_text()), data=markupsafe.Markup(data),
         script=markupsafe.Markup((stills.FOLDER / "page.js").read_text()), plotly=markupsafe.Markup(plotly))
 

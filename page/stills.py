@@ -19,7 +19,7 @@ from pathlib import Path
 
 FOLDER = Path(__file__).resolve().parent
 COLOURS = ("text", "axis", "grid", "target", "schlick", "bps", "outside", "1", "2", "3", "4")
-WIDTH, HEIGHT = 520, 380
+WIDTH, HEIGHT = 520, 400
 MAX_N = 1023
 
 
@@ -216,7 +216,7 @@ def errors_plots(lobes, measure, first, last):
             drawn.append(lines(lobe["name"], 2, names[others % 5], key_name(lobe["name"]), 2,
                                "solid" if others < 5 else "(8,4)"))
             others += 1
-        panels[panel] = (out + n_axis(first) + "set key vertical maxcols 2 maxrows 3\nset tmargin 7\n" +
+        panels[panel] = (out + n_axis(first) + "set key vertical maxrows 3 font ',13' samplen 1\nset tmargin 5.2\nset title offset 0,-0.6\n" +
                          log_axis("y", low, high) + f"set ylabel '{label}' offset 1\nset title '{title}'\n" + plot(drawn))
     return panels
 

@@ -9,8 +9,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "studies/paper_data.hpp"
 #include "studies/paper2_data.hpp"
+#include "studies/paper_data.hpp"
 
 namespace glint::studies {
 
@@ -21,7 +21,7 @@ struct Claim {
     /// A number in `unit`, a text where no number says it, or null.
     nlohmann::ordered_json printed, measured;
     std::string_view unit;     ///< "%" for a fraction shown in percent, "times", or empty
-    int digits = 0;       ///< of the measured number, after the point
+    int digits = 0;            ///< of the measured number, after the point
     std::string_view verdict;  ///< "true", "true in part", "not true" or "not measured"
     std::string_view reason;   ///< names what explains a difference; empty: it needs none, or has none
     nlohmann::ordered_json numbers = nlohmann::ordered_json::object();  ///< what the reason is told with

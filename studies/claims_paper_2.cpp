@@ -48,16 +48,17 @@ struct Expanded {
     double counted() const { return static_cast<double>(full) / modified; }
     double expanded() const { return printed_full / of_modified; }
     Json numbers() const {
-        return {{"full", full},           {"modified", modified}, {"counted", counted()},
-                {"printed", printed()},   {"each", each},         {"of_modified", of_modified},
+        return {{"full", full},           {"modified", modified},
+                {"counted", counted()},   {"printed", printed()},
+                {"each", each},           {"of_modified", of_modified},
                 {"expanded", expanded()}, {"gap", printed() / paper2::printed_speedup - 1.0}};
     }
 };
 
 Claim instructions(const Expanded& e) {
     Claim out{"instructions", "Fewer instructions", "", {}, {}, "times", 2, "", "", e.numbers()};
-    out.printed = fmt::format("{} to about {}, {:.2f} times", e.printed_full, paper2::printed_modified_instructions,
-                              e.printed());
+    out.printed =
+        fmt::format("{} to about {}, {:.2f} times", e.printed_full, paper2::printed_modified_instructions, e.printed());
     out.measured = e.counted();
     out.verdict = near(e.counted(), e.printed()) ? "true" : e.counted() > 1.0 ? "true in part" : "not true";
     if (out.verdict == "true in part" && near(e.expanded(), e.printed())) out.reason = "expanded";
@@ -93,13 +94,20 @@ Claim order(std::string id, std::string says, const std::function<std::optional<
             const auto a = cost(rows[i].model), b = cost(rows[k].model);
             if (!a || !b) return out;
             if (*a < *b) continue;
-            wrong.push_back({{"a", rows[i].model}, {"cost_a", *a}, {"printed_a", rows[i].instructions},
-                             {"b", rows[k].model}, {"cost_b", *b}, {"printed_b", rows[k].instructions}});
+            wrong.push_back({{"a", rows[i].model},
+                             {"cost_a", *a},
+                             {"printed_a", rows[i].instructions},
+                             {"b", rows[k].model},
+                             {"cost_b", *b},
+                             {"printed_b", rows[k].instructions}});
         }
     }
-    std::stable_sort(rows.begin(), rows.end(), [&](const auto& a, const auto& b) { return *cost(a.model) < *cost(b.model); });
+    std::stable_sort(rows.begin(), rows.end(),
+                     [&](const auto& a, const auto& b) { return *cost(a.model) < *cost(b.model); });
     out.measured = names();
-    out.verdict = wrong.empty() ? "true" : 2 * wrong.size() < static_cast<std::size_t>(pairs) ? "true in part" : "not true";
+    out.verdict = wrong.empty()                                        ? "true"
+                  : 2 * wrong.size() < static_cast<std::size_t>(pairs) ? "true in part"
+                                                                       : "not true";
     out.numbers = {{"right", pairs - static_cast<int>(wrong.size())}, {"pairs", pairs}, {"wrong", std::move(wrong)}};
     return out;
 }
@@ -120,8 +128,8 @@ Claim look(const Paper2Data& data) {
     Claim out{"look", "Almost identical look", "", {}, {}, "%", 1, "", "", {}};
     out.measured = most->largest;
     out.verdict = part(close, data.likeness.size());
-    out.numbers = {{"least", at(*least)}, {"most", at(*most)},         {"close", close}, {"of", data.likeness.size()},
-                   {"alike", alike},      {"least_index", least_index}};
+    out.numbers = {{"least", at(*least)},        {"most", at(*most)}, {"close", close},
+                   {"of", data.likeness.size()}, {"alike", alike},    {"least_index", least_index}};
     return out;
 }
 
@@ -170,10 +178,9 @@ Claim gain(const Paper2Data& data, const Costs& costs, Cost cost, double printed
     const auto modified = costs(data.model(form).name, type, cost);
     Claim out;
     out.id = fmt::format("gain-{}-{}-{}", name_of(cost), data.model(form).name, type);
-    out.says = fmt::format("{}{}, the cubic of {}, {}",
-                           cost == Cost::instructions ? "Fewer machine instructions" : "77 % faster: ",
-                           cost == Cost::instructions ? "" : name_of(cost),
-                           form == modified_forms[0] ? "the angle" : "N.H", type);
+    out.says = fmt::format(
+        "{}{}, the cubic of {}, {}", cost == Cost::instructions ? "Fewer machine instructions" : "77 % faster: ",
+        cost == Cost::instructions ? "" : name_of(cost), form == modified_forms[0] ? "the angle" : "N.H", type);
     out.printed = std::round(100.0 * printed) / 100.0;
     out.unit = "times";
     out.digits = 2;

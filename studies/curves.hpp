@@ -37,9 +37,6 @@ std::vector<AngleError> schlick_errors();
 /// The least angle of maps whose angles are even in their logarithm.
 inline constexpr double map_least_degrees = 0.25;
 
-/// The errors at which the colours of the map end.
-inline constexpr double map_scale = 0.03;
-
 /// The signed error of golden `bps` against c^n at the rounded cosine, on a grid even in log n and in log angle.
 struct ErrorMap {
     Profile profile;

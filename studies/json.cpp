@@ -78,8 +78,11 @@ Json to_json(const Operations& o) {
 }
 
 Json to_json(const Operations::Latencies& l) {
-    return {{"multiplication", l.multiplication}, {"division", l.division},     {"addition", l.addition},
-            {"increment", l.increment},           {"comparison", l.comparison}};
+    return {{"multiplication", l.multiplication},
+            {"division", l.division},
+            {"addition", l.addition},
+            {"increment", l.increment},
+            {"comparison", l.comparison}};
 }
 
 /// Of a library's calls no sum is known.
@@ -119,8 +122,7 @@ Json to_json(const StudiedLobe& lobe, bool of_paper) {
     const Study& study = lobe.study;
     const Summary delta = study.delta(paper::first_n, paper::last_n);
     const auto all = forms();
-    const Operations counted =
-        std::find_if(all.begin(), all.end(), [&](const Form& f) { return f.lobe == lobe.lobe->name; })->count();
+    const auto form = std::find_if(all.begin(), all.end(), [&](const Form& f) { return f.lobe == lobe.lobe->name; });
     Json absolute = to_json(study.absolute(paper::first_n, paper::last_n),
                             column(study.rows, [](const StudyRow& row) { return row.absolute.value; }));
     absolute["below"] = rounded(study.absolute(1, paper::first_n - 1).largest);
@@ -131,12 +133,13 @@ Json to_json(const StudiedLobe& lobe, bool of_paper) {
              {"peak", rounded(lobe.peak)},
              {"floor", rounded(lobe.floor)},
              {"zero", nullptr},
-             {"cycles", cycles(counted, zen4_double)},
+             {"cycles", form == all.end() ? Json() : cycles(form->count(), zen4_double)},
              {"settles", settles(study, delta.median)},
              {"delta", to_json(delta, column(study.rows, [](const StudyRow& row) { return row.delta.value; }))},
              {"absolute", std::move(absolute)}};
     if (lobe.zero) {
-        out["zero"] = {{"from", rounded(lobe.zero->from)}, {"to", rounded(lobe.zero->to)}, {"drop", rounded(lobe.zero->drop)}};
+        out["zero"] = {
+            {"from", rounded(lobe.zero->from)}, {"to", rounded(lobe.zero->to)}, {"drop", rounded(lobe.zero->drop)}};
     }
     return out;
 }
@@ -223,8 +226,10 @@ Json paper_2_json(const Findings& findings) {
                                         {"half_cubic", column(d.half_cubic)}});
     }
     for (const auto& r : data.reflectances) {
-        out["reflectances"].push_back(
-            {{"index", r.index}, {"mean", rounded(r.mean)}, {"x", column(r.x)}, {"reflectance", column(r.reflectance)}});
+        out["reflectances"].push_back({{"index", r.index},
+                                       {"mean", rounded(r.mean)},
+                                       {"x", column(r.x)},
+                                       {"reflectance", column(r.reflectance)}});
     }
     for (const auto& l : data.likeness) {
         out["likeness"].push_back({{"index", l.index},
@@ -253,6 +258,7 @@ Json to_json(const Findings& findings) {
     for (const StudiedLobe& lobe : data.lobes) lobes.push_back(to_json(lobe, lobes.size() < data.of_paper));
     return {{"format", "glint-study-1"},
             {"tolerance", paper::tolerance},
+            {"least_degrees", map_least_degrees},
             {"paper_1", paper_1_json(findings)},
             {"paper_2", paper_2_json(findings)},
             {"lobes", std::move(lobes)},
@@ -260,7 +266,9 @@ Json to_json(const Findings& findings) {
             {"schlick", schlick_json()},
             {"map", map_json()},
             {"surfaces",
-             {{"highlight", to_json(data.highlight)}, {"delta", to_json(data.delta)}, {"absolute", to_json(data.absolute)}}}};
+             {{"highlight", to_json(data.highlight)},
+              {"delta", to_json(data.delta)},
+              {"absolute", to_json(data.absolute)}}}};
 }
 
 }  // namespace glint::studies

@@ -17,8 +17,9 @@ struct Findings {
 /// Computes all of it: seconds. Where nothing is timed, `costs` returns nothing.
 Findings find(const Costs& formulas, const Costs& models);
 
-/// Real numbers have seven digits. "curves", "schlick", "map" and "surfaces" hold the points of plots; "lobes" the errors
-/// of every lobe at n = 1 .. 1000 with what sums them up; "paper_1" and "paper_2" the claims, and what they rest on.
+/// Real numbers have seven digits. "curves", "schlick", "map" and "surfaces" hold the points of plots; "lobes" the
+/// errors of every lobe at n = 1 .. 1000 with what sums them up; "paper_1" and "paper_2" the claims, and what they rest
+/// on.
 nlohmann::ordered_json to_json(const Findings& findings);
 
 }  // namespace glint::studies

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "glint/lobes.hpp"
-#include "studies/paper.hpp"
 #include "studies/curves.hpp"
+#include "studies/paper.hpp"
 
 namespace glint::studies {
 

@@ -8,8 +8,8 @@
 
 namespace glint::cli {
 
-/// A file of `glint-cosim --json` or `glint sweep --json`, as it is. Throws Error, one line with the file, the field and
-/// what is legal: a file that is missing or is no result file, one without runs, a run without inputs.
+/// A file of `glint-cosim --json` or `glint sweep --json`, as it is. Throws Error, one line with the file, the field
+/// and what is legal: a file that is missing or is no result file, one without runs, a run without inputs.
 nlohmann::json read_results(const std::string& path);
 
 /// A file of proofs/gappa/run.py --json, as it is. Throws Error as read_results does.
