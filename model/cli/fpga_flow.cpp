@@ -176,11 +176,15 @@ std::vector<Source> with_dependencies(const fs::path& rtl, const std::vector<Sou
             const std::string module = (*i)[1];
             const std::string name = module + ".v";
             if (defined.contains(module) || found.contains(name)) continue;
-            if (!fs::is_regular_file(rtl / name)) {
+            fs::path file;
+            for (const char* folder : {"blocks", "lobes", "effects"}) {
+                if (fs::is_regular_file(rtl / folder / name)) file = rtl / folder / name;
+            }
+            if (file.empty()) {
                 throw Error(fmt::format("folder '{}' has no {}: --rtl names the project's folder of Verilog",
                                         rtl.string(), name));
             }
-            found[name] = read_file(rtl / name);
+            found[name] = read_file(file);
             take(found[name]);
         }
     }

@@ -64,7 +64,10 @@ void add(std::vector<HardwareUnit::File>& files, std::string_view module, const 
     if (known != modules().end()) std::for_each(known->contains.begin(), known->contains.end(), add_part);
     for (const Block& block : hardware.way) add_part(block.module);
     std::for_each(hardware.beside.begin(), hardware.beside.end(), add_part);
-    add_files(files, {{fmt::format("{}.v", module)}});
+    const std::string_view folder = module.starts_with("glint_effect_") ? "effects"
+                                    : known != modules().end()          ? "blocks"
+                                                                        : "lobes";
+    add_files(files, {{fmt::format("{}/{}.v", folder, module)}});
 }
 
 }  // namespace

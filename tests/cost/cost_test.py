@@ -192,7 +192,7 @@ class Cache(Cost):
         rtl = self.folder / "rtl"
         shutil.copytree(ROOT / "rtl", rtl)
         check = ["cost", "--check", "--json", "x.json"]
-        unit = rtl / "glint_quadratic.v"
+        unit = rtl / "lobes/glint_quadratic.v"
         unit.write_text("//  said\n" + unit.read_text())
         self.cost(*small, "--rtl", "rtl", env=environment)
         self.equal(len(self.calls()), 1, "the unit alone")
@@ -271,12 +271,10 @@ class Committed(Cost):
     def test_every_lobe_profile_and_architecture_is_there(self):
         points = json.loads((ROOT / "cost" / "fpga.json").read_text())["points"]
         there = {(p["lobe"], p["profile"], p["architecture"], p["device"]) for p in points}
-        lobes = re.findall(r"^GLINT_LOBE\((\w+)\)$", (ROOT / "model/include/glint/lobes.def").read_text(), re.M)
-        for lobe in lobes:
-            divides = "parameter DIVIDER" in (ROOT / "rtl" / f"glint_{lobe}.v").read_text()
-            architectures = ("restoring", "radix4", "iterative", "reciprocal") if divides else ("pipelined",)
-            for point in itertools.product([lobe], ("p8", "p12", "p16"), architectures, DEVICES):
-                self.true(point in there, f"no price of {' '.join(point)} in cost/fpga.json")
+        for unit in json.loads((ROOT / "rtl/units.json").read_text())["units"]:
+            architectures = [architecture["name"] for architecture in unit["architectures"] if ":" not in architecture["name"]]
+            for point in itertools.product([unit["lobe"]], [unit["profile"]], architectures, DEVICES):
+                self.true(unit["kind"] != "lobe" or point in there, f"no price of {' '.join(point)} in cost/fpga.json")
 
     def test_clocks_that_are_bounds_are_named(self):
         bound = "up5k: nextpnr-ice40 counts no time inside a DSP"
