@@ -65,15 +65,20 @@ def main():
     every = units()
     write = sys.argv[1:] == ["--write"]
     done = stale = 0
+    shown = set()
     for page in sorted(DOCS.rglob("*.md")):
         text = page.read_text()
-        made = MARKED.sub(lambda m: m[1] + (ports if m[2] == "ports" else of)(every, m[3]) + m[4], text)
+        made = MARKED.sub(lambda m: m[1] + (ports if m[2] == "ports" else of)(every, m[3]) + m[5], text)
         done += len(MARKED.findall(text))
         if made != text and write:
             page.write_text(made)
         elif made != text:
             print(f"FAILED: {page.relative_to(RTL.parent)}: its tables are not those of rtl/units.json: docs_tables.py --write")
             stale += 1
+        shown.update(m[3] for m in MARKED.finditer(text) if m[2] == "units")
+    for name in sorted({unit["effect"] or unit["lobe"] for unit in every.values()} - shown):
+        print(f"FAILED: no document has `<!-- units of {name} -->`")
+        stale += 1
     print(f"{done} tables, {stale} pages that are not current")
     return 1 if stale or not done else 0
 
