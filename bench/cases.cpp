@@ -9,10 +9,10 @@
 #include "functions.hpp"
 #include "glint/fixed_point.hpp"
 #include "glint/lobes.hpp"
-#include "glint/paper.hpp"
-#include "glint/study.hpp"
 #include "glint/vectors.hpp"
 #include "opaque.hpp"
+#include "studies/paper.hpp"
+#include "studies/study.hpp"
 
 namespace glint::bench {
 namespace {
@@ -26,9 +26,9 @@ struct Pairs {
     explicit Pairs(double zones) {
         Random random(1);
         for (std::size_t i = 0; i < input_count; ++i) {
-            n.push_back(static_cast<int>(random.between(9, paper::last_n)));
+            n.push_back(static_cast<int>(random.between(9, studies::paper::last_n)));
             const double part = static_cast<double>(random.between(0, 1 << 30)) / (1 << 30);
-            c.push_back(std::cos(part * zones * epicentre_angle(n.back())));
+            c.push_back(std::cos(part * zones * studies::epicentre_angle(n.back())));
         }
     }
 };

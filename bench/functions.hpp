@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "formulas.hpp"
+#include "studies/formulas.hpp"
 
 namespace glint::bench {
 

@@ -19,7 +19,7 @@ struct Data {
     ModelInputs<T> in;
     std::vector<T> y = std::vector<T>(input_count);
 
-    explicit Data(double widest) : in(highlight_scenes(input_count, widest), paper2::Material{}) {}
+    explicit Data(double widest) : in(highlight_scenes(input_count, widest), studies::paper2::Material{}) {}
 };
 template <class T>
 using Shared = std::shared_ptr<Data<T>>;

@@ -28,15 +28,15 @@ Triple around(const Triple& axis, double angle, double turn) {
 
 }  // namespace
 
-std::vector<paper2::Scene> highlight_scenes(std::size_t count, double widest) {
+std::vector<studies::paper2::Scene> highlight_scenes(std::size_t count, double widest) {
     constexpr double degree = pi / 180.0;
     Random random(1);
     const auto uniform = [&](double low, double high) {
         return low + (high - low) * static_cast<double>(random.between(0, 1 << 30)) / (1 << 30);
     };
     const auto turn = [&] { return uniform(0.0, 2.0 * pi); };
-    std::vector<paper2::Scene> out(count);
-    for (paper2::Scene& s : out) {
+    std::vector<studies::paper2::Scene> out(count);
+    for (studies::paper2::Scene& s : out) {
         s.N = around({0, 0, 1}, std::acos(uniform(-1.0, 1.0)), turn());
         s.T = around(s.N, 0.5 * pi, turn());
         s.B = cross(s.N, s.T);

@@ -1,4 +1,4 @@
-// The lighting models of paper 2 in double and float as they are timed: the formulas of model/src/lighting.hpp, each as
+// The lighting models of paper 2 in double and float as they are timed: the formulas of studies/lighting.hpp, each as
 // a loop over independent pixels and as a chain of evaluations of which each waits for the one before.
 #pragma once
 
@@ -6,14 +6,14 @@
 #include <string_view>
 #include <vector>
 
-#include "lighting.hpp"
+#include "studies/lighting.hpp"
 
 namespace glint::bench {
 
 /// Random pixels where there is a highlight to see: the half vector 1 to `widest` degrees from the normal, the light 1
 /// to 48 from the half vector, to any side, and the surface in any direction. Legal: 1 < widest <= 40, so that N.L and
 /// N.V are above 0.
-std::vector<paper2::Scene> highlight_scenes(std::size_t count, double widest);
+std::vector<studies::paper2::Scene> highlight_scenes(std::size_t count, double widest);
 
 /// Pixels in a number type, of one material.
 template <class T>
@@ -22,13 +22,13 @@ struct ModelInputs {
     lighting::Uniforms<T> uniforms;
 
     /// Throws Error unless the material is legal for Cook-Torrance.
-    ModelInputs(const std::vector<paper2::Scene>& scenes, const paper2::Material& material)
+    ModelInputs(const std::vector<studies::paper2::Scene>& scenes, const studies::paper2::Material& material)
         : pixels(scenes.begin(), scenes.end()), uniforms(material) {}
 };
 
 template <class T>
 struct ModelFunction {
-    std::string_view name;     ///< as paper2::CountedModel has it
+    std::string_view name;     ///< as studies::paper2::CountedModel has it
     std::string_view formula;  ///< as evaluated
     /// All pixels, each by itself.
     void (*each)(const ModelInputs<T>&, T* y);

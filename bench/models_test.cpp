@@ -13,7 +13,7 @@ using namespace glint::bench;
 
 namespace {
 
-const paper2::Material material;
+const studies::paper2::Material material;
 
 template <class T>
 std::vector<T> values(const ModelFunction<T>& function, const ModelInputs<T>& in) {
@@ -29,7 +29,7 @@ void check_values(double units) {
     const ModelInputs<T> in(scenes, material);
     const LightingReference reference(material);
     const auto functions = model_functions<T>();
-    REQUIRE(functions.size() == paper2::counted_models(scenes.front(), material).size());
+    REQUIRE(functions.size() == studies::paper2::counted_models(scenes.front(), material).size());
     for (const ModelFunction<T>& function : functions) {
         const std::vector<T> y = values(function, in);
         REQUIRE(y.size() == 1000);
@@ -74,7 +74,7 @@ TEST_CASE("bench: the timed lighting models are those that are counted") {
     const ModelInputs<double> in(scenes, material);
     const auto functions = model_functions<double>();
     for (std::size_t i = 0; i < scenes.size(); ++i) {
-        const auto counted = paper2::counted_models(scenes[i], material);
+        const auto counted = studies::paper2::counted_models(scenes[i], material);
         REQUIRE(counted.size() == functions.size());
         for (std::size_t k = 0; k < counted.size(); ++k) {
             INFO(functions[k].name);

@@ -1,7 +1,7 @@
 // What people use for c^n today.
 #pragma once
 
-#include "formulas.hpp"
+#include "studies/formulas.hpp"
 
 namespace glint::bench {
 

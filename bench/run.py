@@ -212,7 +212,7 @@ def parse(arguments):
         return text
 
     parser = Parser(prog=TOOL, description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter,
-                    epilog="Example: bench/run.py --bench build/release/glint-bench --json cost/cpu.json",
+                    epilog="Example: bench/run.py --bench build/release/glint-bench --json cost/data/cpu.json",
                     allow_abbrev=False)
     parser.add_argument("--bench", required=True, metavar="FILE", help="the program glint-bench or glint-bench-models")
     parser.add_argument("--json", type=pathlib.Path, metavar="FILE", help="write the results here")

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Tests of bench/run.py, glint-bench and glint-bench-models, and of the committed cost/cpu.json and
-cost/cpu-models.json. None depends on a time.
+"""Tests of bench/run.py, glint-bench and glint-bench-models, and of the committed cost/data/cpu.json and
+cost/data/cpu-models.json. None depends on a time.
 
 Without Valgrind the tests of instruction counts are skipped, with the reason.
 """
@@ -19,7 +19,7 @@ HERE = Path(__file__).resolve().parent
 ROOT = HERE.parent
 OPTIONS = argparse.Namespace(bench=None, models=None)
 LOBES = re.findall(r"^GLINT_LOBE\((\w+)\)$", (ROOT / "model/include/glint/lobes.def").read_text(), re.M)
-MODELS = re.findall(r'string_view name = "(\w+)"', (ROOT / "model/src/lighting.hpp").read_text())
+MODELS = re.findall(r'string_view name = "(\w+)"', (ROOT / "studies/lighting.hpp").read_text())
 needs_valgrind = unittest.skipUnless(shutil.which("valgrind"), "Valgrind not found; install the package `valgrind`")
 
 
@@ -56,7 +56,7 @@ class Committed:
 
     def setUp(self):
         super().setUp()
-        self.file = json.loads((ROOT / "cost" / self.name).read_text())
+        self.file = json.loads((ROOT / "cost/data" / self.name).read_text())
         self.points = self.file["points"]
 
     def test_schema(self):
@@ -112,7 +112,7 @@ class CommittedModels(Committed, Case):
     bench = property(lambda self: OPTIONS.models)
 
     def test_whole(self):
-        """Each model of model/src/lighting.hpp, of which the paper's five are some, once in each type."""
+        """Each model of studies/lighting.hpp, of which the paper's five are some, once in each type."""
         self.assertLess({"lambert", "phong", "blinn_phong", "cook_torrance", "ward", "oren_nayar", "modified_angle"}, set(MODELS))
         self.assertEqual(sorted((point["model"], point["type"], point["form"]) for point in self.points),
                          sorted((model, kind, "scalar") for model in MODELS for kind in self.types))

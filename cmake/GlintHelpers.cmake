@@ -3,6 +3,12 @@ function(glint_own_code target)
   target_compile_options(${target} PRIVATE -Wall -Wextra -Wconversion $<$<BOOL:${GLINT_WERROR}>:-Werror>)
 endfunction()
 
+# glint_words(target): our own code that handles words and files. At -O1 it compiles in two thirds of the time.
+function(glint_words target)
+  glint_own_code(${target})
+  target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
+endfunction()
+
 # glint_registry(out file macro): the names in a registry, in its order.
 function(glint_registry out file macro)
   set(registry ${PROJECT_SOURCE_DIR}/model/include/glint/${file})

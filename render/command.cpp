@@ -8,11 +8,11 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "commands.hpp"
-#include "common.hpp"
+#include "cli/commands.hpp"
 #include "engine.hpp"
 #include "glint/error.hpp"
 #include "glint/shade.hpp"
+#include "io/command.hpp"
 #include "models.hpp"
 #include "rtl_unit.hpp"
 
@@ -47,8 +47,8 @@ Size parse_size(const std::string& text) {
     const std::size_t cross = text.find('x');
     if (cross == std::string::npos) throw Error(fmt::format("--size '{}' is not legal: WIDTHxHEIGHT", text));
     constexpr int most = 8192;
-    return {static_cast<int>(parse_integer(text.substr(0, cross), "--size: width", 1, most)),
-            static_cast<int>(parse_integer(text.substr(cross + 1), "--size: height", 1, most))};
+    return {static_cast<int>(io::parse_integer(text.substr(0, cross), "--size: width", 1, most)),
+            static_cast<int>(io::parse_integer(text.substr(cross + 1), "--size: height", 1, most))};
 }
 
 int samples_a_side(int samples) {
@@ -98,7 +98,7 @@ std::string plan_table(const Plan& plan, const Scene& scene) {
     }
     std::vector<std::vector<std::string>> units{{"unit", "evaluations"}};
     for (const UnitPlan& unit : plan.units) units.push_back({unit_name(unit), grouped(unit.evaluations)});
-    std::string out = table(materials) + "\n" + table(units);
+    std::string out = io::table(materials) + "\n" + io::table(units);
     for (const ShadePlan& unit : plan.shade) {
         out += fmt::format("as one unit: shade{}, MASK {} ({})\n", unit.lobe.empty() ? "" : " (" + unit.lobe + ")",
                            unit.mask, fmt::join(built(unit.mask), ", "));
@@ -160,7 +160,7 @@ struct Job {
         if (engine == "fixed") make = golden_unit;
         if (engine == "rtl") make = rtl_unit;
         Shading shading = shade(scene, plan, fragments, size.width * side, size.height * side, profile, make, threads,
-                                progress_bar("shading, " + engine));
+                                io::progress_bar("shading, " + engine));
         Result out{engine, finish(shading.samples, side), shading.corrected, 0, shading.clocks, shading.seconds};
         for (const std::uint64_t count : shading.evaluations) out.evaluations += count;
         return out;
@@ -228,8 +228,8 @@ int run_render(const Options& options, const std::string& command) {
     if (!options.against_model.empty() && find_model(options.against_model) == nullptr) {
         throw Error(fmt::format("--against-model '{}' is not known: {}", options.against_model, known_models()));
     }
-    check_writable(options.output);
-    check_writable(options.json);
+    io::check_writable(options.output);
+    io::check_writable(options.json);
 
     Job job;
     job.profile = parse_profile(options.profile);
@@ -243,8 +243,8 @@ int run_render(const Options& options, const std::string& command) {
     job.scene = load_scene(options.scene, static_cast<double>(job.size.width) / job.size.height);
     for (const std::string& warning : job.scene.warnings) fmt::print(stderr, "glint: warning: {}\n", warning);
     const auto start = std::chrono::steady_clock::now();
-    job.fragments =
-        cast_rays(job.scene, job.size.width * job.side, job.size.height * job.side, job.threads, progress_bar("rays"));
+    job.fragments = cast_rays(job.scene, job.size.width * job.side, job.size.height * job.side, job.threads,
+                              io::progress_bar("rays"));
     const double ray_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     const Plan plan = make_plan(job.scene, job.fragments, options.lobe, options.all_effects);
     const std::string obstacle = rtl_obstacle(plan, job.profile);
@@ -273,7 +273,7 @@ int run_render(const Options& options, const std::string& command) {
                         fmt::format("{:.1f}", static_cast<double>(result.evaluations) / 1e6 / result.seconds),
                         grouped(result.corrected)});
     }
-    fmt::print("{}", table(rows));
+    fmt::print("{}", io::table(rows));
 
     Json json{{"tool", "glint render"},
               {"command", command},
@@ -335,11 +335,11 @@ int run_render(const Options& options, const std::string& command) {
                            png(difference(last.picture, real, in_ulp ? ulp : 1.0, in_ulp ? "ulp" : "of 1")));
     }
     for (const auto& [file, bytes] : files) {
-        write_file(file, bytes);
+        io::write_file(file, bytes);
         fmt::print("written: {}\n", file.string());
     }
-    if (!options.json.empty()) write_file(options.json, json.dump(1) + "\n");
-    return failed ? check_failed : success;
+    if (!options.json.empty()) io::write_file(options.json, json.dump(1) + "\n");
+    return failed ? io::check_failed : io::success;
 }
 
 }  // namespace
@@ -355,14 +355,14 @@ void add_render(CLI::App& app, Chosen& chosen) {
         ->capture_default_str();
     command->add_option("--profile", options->profile, "Profile: p8, p12, p16 or F,..,O")->capture_default_str();
     command->add_option("--size", options->size, "Width and height in pixels")->capture_default_str();
-    add_integer(*command, "--samples", options->samples, 1, 16, "Samples a pixel: 1, 4, 9 or 16");
+    io::add_integer(*command, "--samples", options->samples, 1, 16, "Samples a pixel: 1, 4, 9 or 16");
     command->add_flag("--all-effects", options->all_effects, "Every unit evaluates every fragment, needed or not");
     command->add_flag("--compare", options->compare, "All engines, and NAME_difference.png; exit 1 unless fixed = rtl");
     command->add_option("--against", options->against, "With --compare: the lobe of the float picture");
     command->add_option("--against-model", options->against_model,
                         "With --compare: the lighting model of the float picture");
     command->add_option("--json", options->json, "Write plan, times and differences");
-    add_integer(*command, "--threads", options->threads, 0, most_threads, "Threads; 0: one a core");
+    io::add_integer(*command, "--threads", options->threads, 0, io::most_threads, "Threads; 0: one a core");
     command->footer("Example: glint render scenes/still_life.json --engine rtl --samples 4 -o still_life.png");
     command->callback([=, &chosen] { chosen.run = [=, &chosen] { return run_render(*options, chosen.command); }; });
 }

@@ -1,7 +1,7 @@
 // `glint render` in a build without the libraries that it needs.
 #include <fmt/format.h>
 
-#include "commands.hpp"
+#include "cli/commands.hpp"
 #include "glint/error.hpp"
 
 namespace glint::cli {

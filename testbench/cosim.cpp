@@ -188,7 +188,7 @@ std::vector<std::pair<int, Range>> illegal_bursts(const Profile& profile) {
 }
 
 void run_grid(const GoldenModel& model, const UnitKind& kind, const Request& request, const Progress& progress,
-              Log& log, cli::RunResult& run) {
+              Log& log, io::RunResult& run) {
     const SweepPlan plan(request.n, request.cos_code);
     std::vector<std::vector<Accuracy>> by_task(plan.tasks(), std::vector<Accuracy>(plan.n().size()));
     parallel_tasks(plan.tasks(), request.threads, progress, [&] {
@@ -277,7 +277,7 @@ std::string draw(const UnitKind& kind, int F, const Request& request, const Fail
 CosimResult cosimulate(const GoldenModel& model, const UnitKind& kind, const Request& request,
                        const Progress& progress) {
     static constexpr std::array names{"stream", "illegal", "reset"};
-    CosimResult out{cli::run_result(model, std::string(kind.unit), names[static_cast<std::size_t>(request.test)]), {}};
+    CosimResult out{io::run_result(model, std::string(kind.unit), names[static_cast<std::size_t>(request.test)]), {}};
     out.run.architecture = kind.architecture;
     Log log;
     const auto start = std::chrono::steady_clock::now();
@@ -292,7 +292,7 @@ CosimResult cosimulate(const GoldenModel& model, const UnitKind& kind, const Req
     }
     out.run.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     out.run.inputs = log.inputs;
-    cli::HardwareResult hardware;
+    io::HardwareResult hardware;
     hardware.mismatches = log.mismatches;
     hardware.cycles = log.cycles;
     hardware.latency_cycles = log.most_latency;

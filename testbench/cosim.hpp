@@ -9,7 +9,7 @@
 #include "glint/golden.hpp"
 #include "glint/parallel.hpp"
 #include "glint/range.hpp"
-#include "results.hpp"
+#include "io/results.hpp"
 #include "unit.hpp"
 
 namespace glint::testbench {
@@ -33,7 +33,7 @@ struct Request {
 };
 
 struct CosimResult {
-    cli::RunResult run;
+    io::RunResult run;
     std::string complaint;  ///< what went wrong, for people; empty when all is well
 };
 

@@ -9,9 +9,9 @@
 
 #include <fmt/format.h>
 
-#include "common.hpp"
 #include "glint/error.hpp"
 #include "glint/vectors.hpp"
+#include "io/command.hpp"
 
 namespace glint::testbench {
 namespace {
@@ -483,7 +483,7 @@ std::string effect_table(const std::vector<EffectRun>& runs) {
                         timed ? fmt::format("{:.4f}", run.results_per_cycle) : "-",
                         fmt::format("{:.4f}", run.error.ulp), fmt::format("{:.4f}", run.bound_ulp), at});
     }
-    return cli::table(rows);
+    return io::table(rows);
 }
 
 }  // namespace glint::testbench

@@ -5,12 +5,12 @@
 
 #include <fmt/format.h>
 
-#include "common.hpp"
 #include "cosim.hpp"
 #include "effect_cosim.hpp"
 #include "glint/error.hpp"
+#include "io/command.hpp"
+#include "io/results.hpp"
 #include "junit.hpp"
-#include "results.hpp"
 
 namespace {
 
@@ -100,7 +100,7 @@ int summary(const std::vector<JUnitCase>& cases, std::uint64_t seed) {
     const auto failed = static_cast<std::size_t>(
         std::count_if(cases.begin(), cases.end(), [](const JUnitCase& c) { return !c.failure.empty(); }));
     fmt::print("{} of {} runs passed, seed {}\n", cases.size() - failed, cases.size(), seed);
-    return failed == 0 ? cli::success : cli::check_failed;
+    return failed == 0 ? io::success : io::check_failed;
 }
 
 /// "ambient,tint", or "all": every effect that this build has a unit of.
@@ -115,7 +115,7 @@ std::vector<const Effect*> split_effects(const std::string& text) {
         }
         return out;
     }
-    for (const std::string& word : cli::split_list(text)) out.push_back(&find_effect(word));
+    for (const std::string& word : io::split_list(text)) out.push_back(&find_effect(word));
     return out;
 }
 
@@ -123,8 +123,8 @@ std::vector<const Effect*> split_effects(const std::string& text) {
 std::vector<int> split_masks(const std::string& text) {
     if (text.empty()) return {-1};
     std::vector<int> out;
-    for (const std::string& word : cli::split_list(text)) {
-        out.push_back(static_cast<int>(cli::parse_integer(word, "--mask", 0, 0xffff)));
+    for (const std::string& word : io::split_list(text)) {
+        out.push_back(static_cast<int>(io::parse_integer(word, "--mask", 0, 0xffff)));
     }
     return out;
 }
@@ -149,7 +149,7 @@ int cosim_effects(const Options& options, const std::string& command) {
     };
     std::vector<Work> work;
     for (const Effect* effect : split_effects(options.effect)) {
-        for (const std::string& profile : cli::split_profiles(options.profile)) {
+        for (const std::string& profile : io::split_profiles(options.profile)) {
             for (const int mask : split_masks(options.mask)) {
                 auto model = effect->golden(parse_profile(profile), options.lobe);
                 const EffectUnitKind& kind = find_effect_unit(effect->name, options.lobe, model->profile().name, mask);
@@ -158,50 +158,50 @@ int cosim_effects(const Options& options, const std::string& command) {
         }
     }
     if (work.empty()) throw Error("--effect all: this build has no unit of any effect");
-    cli::check_writable(options.json);
-    cli::check_writable(options.junit);
+    io::check_writable(options.json);
+    io::check_writable(options.junit);
     std::vector<EffectRun> runs;
     std::vector<JUnitCase> cases;
     for (const auto& [effect, model, kind] : work) {
         const std::string mask = kind->mask < 0 ? "" : fmt::format(" MASK {}", kind->mask);
         const std::string name = fmt::format("{}{}{} {}{}", effect->name, kind->lobe.empty() ? "" : " ", kind->lobe,
                                              model->profile().name, mask);
-        runs.push_back(cosimulate_effect(*effect, *model, *kind, request, cli::progress_bar(name)));
+        runs.push_back(cosimulate_effect(*effect, *model, *kind, request, io::progress_bar(name)));
         const EffectRun& run = runs.back();
         cases.push_back({fmt::format("{} {}", name, run.test), run.seconds, run.complaint});
         if (!run.complaint.empty()) fmt::print(stderr, "{}: FAILED: {}", name, run.complaint);
     }
-    if (!options.json.empty()) cli::write_file(options.json, to_json(runs, command).dump(1) + "\n");
-    if (!options.junit.empty()) cli::write_file(options.junit, to_junit("glint-cosim", cases));
+    if (!options.json.empty()) io::write_file(options.json, to_json(runs, command).dump(1) + "\n");
+    if (!options.junit.empty()) io::write_file(options.junit, to_junit("glint-cosim", cases));
     fmt::print("{}", effect_table(runs));
     return summary(cases, options.seed);
 }
 
 int cosim(const Options& options, const std::string& command) {
     // Find everything before anything runs: a mistake in the last name must not cost the time of the first.
-    const auto golden = cli::models(options.lobe, options.profile);
+    const auto golden = io::models(options.lobe, options.profile);
     std::vector<std::pair<const GoldenModel*, const UnitKind*>> work;
     for (const auto& model : golden) {
         const auto architectures =
-            options.architecture.empty() ? std::vector<std::string>{} : cli::split_list(options.architecture);
-        for (const UnitKind* kind : find_units(*model, cli::split_list(options.unit), architectures)) {
+            options.architecture.empty() ? std::vector<std::string>{} : io::split_list(options.architecture);
+        for (const UnitKind* kind : find_units(*model, io::split_list(options.unit), architectures)) {
             work.emplace_back(model.get(), kind);
         }
     }
-    cli::check_writable(options.json);
-    cli::check_writable(options.junit);
-    std::vector<cli::RunResult> runs;
+    io::check_writable(options.json);
+    io::check_writable(options.junit);
+    std::vector<io::RunResult> runs;
     std::vector<JUnitCase> cases;
     for (const auto& [model, kind] : work) {
         const std::string name = fmt::format("{} {} {} {}", kind->lobe, kind->profile, kind->unit, kind->architecture);
-        CosimResult result = cosimulate(*model, *kind, make_request(options, *model), cli::progress_bar(name));
+        CosimResult result = cosimulate(*model, *kind, make_request(options, *model), io::progress_bar(name));
         cases.push_back({fmt::format("{} {}", name, result.run.test), result.run.seconds, result.complaint});
         if (!result.complaint.empty()) fmt::print(stderr, "{}: FAILED: {}", name, result.complaint);
         runs.push_back(std::move(result.run));
     }
-    if (!options.json.empty()) cli::write_file(options.json, cli::to_json(runs, "glint-cosim", command).dump(1) + "\n");
-    if (!options.junit.empty()) cli::write_file(options.junit, to_junit("glint-cosim", cases));
-    fmt::print("{}", cli::results_table(runs, true));
+    if (!options.json.empty()) io::write_file(options.json, io::to_json(runs, "glint-cosim", command).dump(1) + "\n");
+    if (!options.junit.empty()) io::write_file(options.junit, to_junit("glint-cosim", cases));
+    fmt::print("{}", io::results_table(runs, true));
     return summary(cases, options.seed);
 }
 
@@ -222,18 +222,18 @@ int main(int argc, char** argv) {
     CLI::Option* exhaustive = app.add_flag("--exhaustive", options.exhaustive, "Every legal input");
     CLI::Option* n = app.add_option("--n", options.n, "Exponents: n, first:last, first:last:step or all");
     CLI::Option* cos = app.add_option("--cos", options.cos, "Cosine codes: a range as for --n, or all (0 to 2^F)");
-    CLI::Option* count = cli::add_integer(app, "--count", options.count, 1, std::int64_t{1} << 40,
-                                          "So many random legal inputs, the corners first");
+    CLI::Option* count = io::add_integer(app, "--count", options.count, 1, std::int64_t{1} << 40,
+                                         "So many random legal inputs, the corners first");
     CLI::Option* illegal = app.add_flag("--illegal", options.illegal,
                                         "n = 0 with every code, and illegal codes with n 1, 2, 50, 1000, 1023");
     CLI::Option* resets =
-        cli::add_integer(app, "--resets", options.resets, 1, std::int64_t{1} << 40, "So many resets in mid-stream");
+        io::add_integer(app, "--resets", options.resets, 1, std::int64_t{1} << 40, "So many resets in mid-stream");
     app.add_option("--stall-probability", options.stall_probability,
                    "Chance of a bubble at the input, and of a stall at the output")
         ->check(CLI::Range(0.0, 0.99))
         ->capture_default_str();
-    cli::add_integer(app, "--seed", options.seed, 0, cli::largest_seed, "Seed of all that is random");
-    cli::add_integer(app, "--threads", options.threads, 0, cli::most_threads, "Threads; 0: one a core");
+    io::add_integer(app, "--seed", options.seed, 0, io::largest_seed, "Seed of all that is random");
+    io::add_integer(app, "--threads", options.threads, 0, io::most_threads, "Threads; 0: one a core");
     app.add_option("--trace", options.trace, "Waveform (FST) around the first mismatch");
     app.add_option("--json", options.json, "Write the results, per n and in total");
     app.add_option("--junit", options.junit, "Write the results as JUnit XML");
@@ -247,8 +247,8 @@ int main(int argc, char** argv) {
     resets->excludes(n)->excludes(cos);
     effect->excludes(n)->excludes(cos)->excludes(unit);
     app.footer("Example: glint-cosim --lobe bps --profile p8,p12,p16 --exhaustive --json cosim.json");
-    const std::string command = cli::command_line(argc, argv);
-    return cli::run(app, argc, argv, [&] {
+    const std::string command = io::command_line(argc, argv);
+    return io::run(app, argc, argv, [&] {
         if (exhaustive->count() + n->count() + cos->count() + count->count() + illegal->count() + resets->count() ==
             0) {
             throw Error("nothing to run: --exhaustive, --n and --cos, --count, --illegal or --resets");

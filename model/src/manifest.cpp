@@ -128,6 +128,8 @@ std::string file_list(const HardwareUnit& unit, const FileRoots& roots) {
     return out;
 }
 
+std::vector<HardwareUnit::File> module_files(std::string_view module) { return files_of(module); }
+
 std::vector<HardwareUnit> committed_units() {
     std::vector<HardwareUnit> out;
     for (const Lobe& lobe : lobes()) {

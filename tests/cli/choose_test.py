@@ -1,6 +1,6 @@
 """`glint cost` and `glint choose`, on prices made up so that the right answers are plain.
 
-Errors are those of the project's own cost/accuracy.json.
+Errors are those of the project's own cost/data/accuracy.json.
 """
 
 import csv
@@ -46,10 +46,10 @@ CPU = {"format": "glint-cost-cpu-1", "command": "made up",
 
 def write_prices(folder):
     """Made-up prices beside the errors of the project."""
-    (folder / "cost").mkdir()
-    shutil.copy(ROOT / "cost/accuracy.json", folder / "cost")
+    (folder / "cost/data").mkdir(parents=True)
+    shutil.copy(ROOT / "cost/data/accuracy.json", folder / "cost/data")
     prices = {"format": "glint-cost-fpga-1", "tools": {"yosys": "0.0"}, "points": POINTS}
-    (folder / "cost/fpga.json").write_text(json.dumps(prices))
+    (folder / "cost/data/fpga.json").write_text(json.dumps(prices))
 
 
 class CostCase(Case):
@@ -58,10 +58,10 @@ class CostCase(Case):
         write_prices(self.folder)
 
     def write(self, name, content):
-        (self.folder / f"cost/{name}.json").write_text(json.dumps(content))
+        (self.folder / f"cost/data/{name}.json").write_text(json.dumps(content))
 
     def error(self, lobe, profile, first, last, key="error_rounded_cosine"):
-        records = json.loads(self.read("cost/accuracy.json"))["points"]
+        records = json.loads(self.read("cost/data/accuracy.json"))["points"]
         found, = [r for r in records if (r["lobe"], r["profile"]) == (lobe, profile)]
         return max(found[key][first - 1:last]) / 2 ** (found["O"] + 8)
 
@@ -139,7 +139,7 @@ class Cost(CostCase):
 
     def test_accuracy(self):
         """Rows measured anew are those of the committed file; those of others stay."""
-        committed = {(r["lobe"], r["profile"]): r for r in json.loads(self.read("cost/accuracy.json"))["points"]}
+        committed = {(r["lobe"], r["profile"]): r for r in json.loads(self.read("cost/data/accuracy.json"))["points"]}
         self.good("cost", "--accuracy", "--lobe", "bps,cayley", "--profile", "p8", "--json", "new.json")
         self.good("cost", "--accuracy", "--lobe", "schlick", "--profile", "p8", "--json", "new.json")
         found = json.loads(self.read("new.json"))["points"]
@@ -154,7 +154,7 @@ class Cost(CostCase):
             self.equal((record["F"], record["O"], record["inputs"]), (16, 8, 1023 * 65537))
 
     def test_all_lobes_are_measured(self):
-        records = json.loads(self.read("cost/accuracy.json"))["points"]
+        records = json.loads(self.read("cost/data/accuracy.json"))["points"]
         known = re.findall(r"^GLINT_LOBE\((\w+)\)", (ROOT / "model/include/glint/lobes.def").read_text(), re.MULTILINE)
         found = {(r["lobe"], r["profile"]) for r in records}
         self.equal({(lobe, profile) for lobe in known for profile in ("p8", "p12", "p16")} - found, set())
@@ -184,7 +184,7 @@ class Cost(CostCase):
             self.refused(line, "cost")
         self.write("fpga", {"format": "glint-cost-fpga-1", "tools": {}, "points": []})
         self.refused("holds no points", "cost")
-        (self.folder / "cost/accuracy.json").write_text("{")
+        (self.folder / "cost/data/accuracy.json").write_text("{")
         self.refused("is not JSON", "cost")
 
 
@@ -293,14 +293,14 @@ class Choose(CostCase):
         self.refused("--n '8:2000' is not legal", "choose", "--n", "8:2000")
         self.refused("file 'none/out.json' cannot be written", "choose", "--json", "none/out.json")
         self.refused("file 'none/accuracy.json' is not there", "choose", "--data", "none")
-        self.equal(self.files(), ["cost/accuracy.json", "cost/fpga.json"])
+        self.equal(self.files(), ["cost/data/accuracy.json", "cost/data/fpga.json"])
 
 
 class Prices(Case):
     """What the committed prices are held to."""
 
     def chosen(self, *arguments):
-        self.good("choose", "--data", ROOT / "cost", "--json", "out.json", *arguments)
+        self.good("choose", "--data", ROOT / "cost/data", "--json", "out.json", *arguments)
         return json.loads(self.read("out.json"))["best"]
 
     def interval(self, c):
@@ -312,7 +312,7 @@ class Prices(Case):
         architecture that gives as many results a clock."""
         best = self.chosen("--max-error", "0.002", "--n", "8:1000", "--min-output-bits", "12", "--no-dsp",
                            "--device", "hx8k")
-        self.good("cost", "--data", ROOT / "cost", "--lobe", "bps", "--profile", "p12", "--json", "out.json")
+        self.good("cost", "--data", ROOT / "cost/data", "--lobe", "bps", "--profile", "p12", "--json", "out.json")
         bps = [c for c in json.loads(self.read("out.json"))["configurations"]
                if c["dsps"] == 0 and self.interval(c) <= self.interval(best)]
         self.true(len(bps) > 1, "bps p12 has prices")
@@ -322,7 +322,7 @@ class Prices(Case):
 
     def test_rounding_costs_little(self):
         """The same with rounding below 1 ulp costs no more than bps at p12 as shipped."""
-        self.good("cost", "--data", ROOT / "cost", "--n", "8:1000", "--json", "out.json")
+        self.good("cost", "--data", ROOT / "cost/data", "--n", "8:1000", "--json", "out.json")
         configurations = [c for c in json.loads(self.read("out.json"))["configurations"] if c["dsps"] == 0]
         bps = [c for c in configurations if c["lobe"] == "bps" and c["profile"] == "p12" and c["architecture"] == "restoring"]
         good = [c for c in configurations if c["error"] < 0.002 and c["output_bits"] >= 12 and c["rounding_ulp"] < 1]
@@ -332,7 +332,7 @@ class Prices(Case):
 
     def test_grid(self):
         """Each format of the word-length grid keeps the promise; none of those found costs what the lobe's own does."""
-        grids = json.loads((ROOT / "cost/grid.json").read_text())["grids"]
+        grids = json.loads((ROOT / "cost/data/grid.json").read_text())["grids"]
         self.true(len(grids) > 0, "no grids")
         for grid in grids:
             for form in grid["formats"]:

@@ -111,7 +111,7 @@ class Report(Case):
         self.equal(rows, [])
         self.true("--cost" in text and "glint cost --accuracy" in text, f"how to get the section: {text}")
         write_prices(self.folder)
-        self.good("report", "--results", "sweep.json", "--cost", "cost", "-o", "page")
+        self.good("report", "--results", "sweep.json", "--cost", "cost/data", "-o", "page")
         text, rows = self.section("cost")
         for device in ("hx8k", "up5k", "xc7"):
             self.good("cost", "--device", device, "--n", "8:1000", "--json", "out.json")
@@ -129,7 +129,7 @@ class Report(Case):
         self.good("cost", "--n", "8:1000", "--plots", "plots")
         names = [f"cost-{axis}-{theme}-{layout}.svg" for axis in ("latency", "luts", "ns") for theme in ("dark", "light")
                  for layout in ("narrow", "wide")]
-        self.equal(self.files(), ["cost/accuracy.json", "cost/fpga.json",
+        self.equal(self.files(), ["cost/data/accuracy.json", "cost/data/fpga.json",
                                   *sorted(f"plots/{name}" for name in [*names, "pareto-dark.svg", "pareto-light.svg"])])
         for name in names:
             text = "".join(xml.etree.ElementTree.fromstring(self.read(f"plots/{name}")).itertext())
@@ -266,7 +266,7 @@ class Report(Case):
             self.true(0 < float(row["RMS"].split()[0]) < float(row["largest"].split()[0]), f"{row}")
 
     def test_paper_2_hardware(self):
-        """Both forms of Cook-Torrance from cost/effects.json where they are there, else what writes them."""
+        """Both forms of Cook-Torrance from cost/data/effects.json where they are there, else what writes them."""
         def point(effect, luts, **more):
             return {"effect": effect, "profile": "p12", "device": "hx8k", "dsp": False, "luts": luts, "registers": 10 * luts,
                     "carries": 0, "dsps": 0, "brams": 2, "fits": True, "cells": luts, "clock_mhz_seeds": [50.0],
@@ -277,7 +277,7 @@ class Report(Case):
 
         self.results()
         write_prices(self.folder)
-        report = ["report", "--results", "sweep.json", "--cost", "cost", "-o", "page"]
+        report = ["report", "--results", "sweep.json", "--cost", "cost/data", "-o", "page"]
         self.good(*report)
         self.equal(rows(), [])
         self.true("glint cost --fpga --effect cook_torrance," in self.section("paper-2")[0], "how to get the table")
@@ -286,7 +286,7 @@ class Report(Case):
                   point("cook_torrance", 800, device="ecp5-25k", fits=False, why="too many", clock_mhz_seeds=[]),
                   point("cook_torrance_modified", 600, device="ecp5-25k")]
         prices = {"format": "glint-cost-effects-1", "tools": {"yosys": "0.0"}, "points": points}
-        (self.folder / "cost/effects.json").write_text(json.dumps(prices))
+        (self.folder / "cost/data/effects.json").write_text(json.dumps(prices))
         self.good(*report)
         self.equal([(row["form"], row["device"], row["LUTs"], row["latency, clocks"], row["latency, ns"], row["M results/s"])
                     for row in rows()],
@@ -297,8 +297,8 @@ class Report(Case):
         self.true("At p12 on hx8k: 75 % of the LUTs of the full form, 75 % of its registers, 0 DSPs instead of 0, 20 clocks "
                   "of latency instead of 40; 0.42 times the latency in ns, 1.20 times the results a second." in text, text)
         prices["points"][0]["luts"] = "many"
-        (self.folder / "cost/effects.json").write_text(json.dumps(prices))
-        self.refused("price file 'cost/effects.json'.*luts", *report)
+        (self.folder / "cost/data/effects.json").write_text(json.dumps(prices))
+        self.refused("price file 'cost/data/effects.json'.*luts", *report)
 
     def test_paper_2_figures(self):
         """Beckmann's distribution, Fresnel's reflectance and both highlights, against the formulas of the paper."""
@@ -443,9 +443,9 @@ class Report(Case):
         self.true("a <processor>" in self.section("paper-2")[0], "what measured them")
 
     def test_committed_model_prices(self):
-        """The page takes cost/cpu-models.json as it is."""
+        """The page takes cost/data/cpu-models.json as it is."""
         self.results()
-        self.good("report", "--results", "sweep.json", "--cpu-models", ROOT / "cost/cpu-models.json", "-o", "page")
+        self.good("report", "--results", "sweep.json", "--cpu-models", ROOT / "cost/data/cpu-models.json", "-o", "page")
         measured = [row["model"] for row in self.cells("paper-2") if "latency / full" in row]
         self.equal((len(measured), len(set(measured))), (18, 9))
 

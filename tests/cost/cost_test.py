@@ -39,7 +39,7 @@ class Cost(Case):
 class Refusals(Cost):
     def test_refusals(self):
         for pattern, arguments in (
-            ("'cost/accuracy.json' is not there", []),
+            ("'cost/data/accuracy.json' is not there", []),
             ("device 'hx9k' is not known: hx8k, up5k, ecp5-25k, ecp5-85k, xc7", ["--fpga", "--device", "hx9k"]),
             ("--dsp 'maybe' is not legal", ["--fpga", "--dsp", "maybe"]),
             ("--seeds '0' is not legal", ["--fpga", "--seeds", "0"]),
@@ -56,7 +56,7 @@ class Refusals(Cost):
             ("--check, --accuracy and --grid are not legal together", ["--fpga", "--check"]),
             ("--lobe is not legal here: .* --check takes a whole file", ["--check", "--lobe", "bps"]),
             ("--seeds is not legal here", ["--check", "--seeds", "1"]),
-            ("'cost/fpga.json' cannot be read", ["--check"]),
+            ("'cost/data/fpga.json' cannot be read", ["--check"]),
             ("--jobs '-1' is not legal", ["--fpga", "--jobs", "-1"]),
             ("effect 'shiny'", ["--fpga", "--effect", "lambert,shiny"]),
             ("lobe 'bps,cayley'", ["--fpga", "--effect", "phong", "--lobe", "bps,cayley"]),
@@ -69,7 +69,7 @@ class Refusals(Cost):
             ("--architecture is not legal with --effect",
              ["--fpga", "--effect", "lambert", "--architecture", "pipelined"]),
             ("--effect and --mask are not legal here", ["--accuracy", "--effect", "lambert"]),
-            ("'cost/effects.json' is not there: `glint cost --fpga --effect all", ["--effect", "all"]),
+            ("'cost/data/effects.json' is not there: `glint cost --fpga --effect all", ["--effect", "all"]),
             ("--mask is not legal without --effect", ["--mask", "3"]),
             ("--sort is not legal here: it is of the table of lobes", ["--effect", "all", "--sort", "luts"]),
         ):
@@ -231,7 +231,7 @@ class Failures(Cost):
 class Committed(Cost):
     def test_all_are_of_this_verilog(self):
         for file in ("fpga", "effects"):
-            path = ROOT / "cost" / f"{file}.json"
+            path = ROOT / "cost/data" / f"{file}.json"
             count = len(json.loads(path.read_text())["points"])
             said = self.good("cost", "--check", "--json", path, *RTL)
             self.equal(said, f"{path}: {count} prices, 0 of other Verilog or options\n")
@@ -260,7 +260,7 @@ class Committed(Cost):
                 self.equal(here["clock_mhz_seeds"][0], there["clock_mhz_seeds"][0], f"{device}: clock of seed 1")
 
     def read_committed(self, file, names):
-        committed = json.loads((ROOT / "cost" / f"{file}.json").read_text())
+        committed = json.loads((ROOT / "cost/data" / f"{file}.json").read_text())
         self.equal(committed["format"], f"glint-cost-{file}-1")
         points = {tuple(p.get(name) for name in names): p for p in committed["points"]}
         self.true(len(points) == len(committed["points"]) > 0, "points, each once")
@@ -269,17 +269,17 @@ class Committed(Cost):
         return committed, points
 
     def test_every_lobe_profile_and_architecture_is_there(self):
-        points = json.loads((ROOT / "cost" / "fpga.json").read_text())["points"]
+        points = json.loads((ROOT / "cost/data" / "fpga.json").read_text())["points"]
         there = {(p["lobe"], p["profile"], p["architecture"], p["device"]) for p in points}
         for unit in json.loads((ROOT / "rtl/units.json").read_text())["units"]:
             architectures = [architecture["name"] for architecture in unit["architectures"] if ":" not in architecture["name"]]
             for point in itertools.product([unit["lobe"]], [unit["profile"]], architectures, DEVICES):
-                self.true(unit["kind"] != "lobe" or point in there, f"no price of {' '.join(point)} in cost/fpga.json")
+                self.true(unit["kind"] != "lobe" or point in there, f"no price of {' '.join(point)} in cost/data/fpga.json")
 
     def test_clocks_that_are_bounds_are_named(self):
         bound = "up5k: nextpnr-ice40 counts no time inside a DSP"
         for device, named in (("up5k", True), ("hx8k", False), ("ecp5-25k", False)):
-            self.equal(bound in self.good("cost", "--data", ROOT / "cost", "--device", device), named, device)
+            self.equal(bound in self.good("cost", "--data", ROOT / "cost/data", "--device", device), named, device)
 
     def test_prices_are_those_of_the_verilog(self):
         names = ("lobe", "profile", "architecture", "device", "dsp")

@@ -2,18 +2,20 @@
 #include <filesystem>
 
 #include "catch.hpp"
-#include "common.hpp"
-#include "fpga_flow.hpp"
-#include "fpga_points.hpp"
-#include "fpga_table.hpp"
-#include "fpga_units.hpp"
+#include "cost/fpga/flow.hpp"
+#include "cost/fpga/points.hpp"
+#include "cost/fpga/table.hpp"
+#include "cost/fpga/units.hpp"
 #include "glint/effect.hpp"
 #include "glint/error.hpp"
 #include "glint/lobes.hpp"
-#include "process.hpp"
+#include "io/command.hpp"
+#include "io/process.hpp"
 
 using namespace glint;
-using namespace glint::cli;
+using namespace glint;
+using namespace glint::io;
+using namespace glint::fpga;
 
 namespace {
 
@@ -46,8 +48,8 @@ std::vector<Exchange> exchanges(const GoldenModel& model, const std::vector<std:
     return out;
 }
 
-FpgaPoint point(const std::string& lobe, int luts) {
-    FpgaPoint out;
+Point point(const std::string& lobe, int luts) {
+    Point out;
     out.lobe = lobe;
     out.profile = "p12";
     out.architecture = "restoring";
@@ -137,8 +139,7 @@ TEST_CASE("latency and interval come from a simulation whose results are right")
     const Lobe& lobe = find_lobe("schlick");
     const Profile profile = parse_profile("p8");
     const auto model = lobe.golden(profile);
-    const Source wrapper{"glint_schlick_p8.v", read_file(rtl / "generated" / "glint_schlick_p8.v")};
-    const std::vector<Source> sources = with_dependencies(rtl, {wrapper});
+    const std::vector<Source> sources = read_sources(rtl, design_of(lobe.emit(profile, default_architecture(lobe))));
     const Unit unit = lobe_unit("glint_schlick_p8", profile, 1);
     std::vector<Exchange> burst = exchanges(*model, {{50, 64225}, {0, 5}, {7, -3}, {1023, profile.one()}});
     const Clocks clocks = flow.count_clocks(sources, unit, burst);
@@ -148,16 +149,17 @@ TEST_CASE("latency and interval come from a simulation whose results are right")
     CHECK_THROWS_WITH(flow.count_clocks(sources, unit, burst), "glint_schlick_p8 has a wrong result: n_i 7, cos_i -3");
 }
 
-TEST_CASE("the files of a unit are those that it instantiates") {
-    const Source wrapper{"glint_bps_p12.v", read_file(rtl / "generated" / "glint_bps_p12.v")};
+TEST_CASE("the files of a unit are those of its description") {
+    const Lobe& lobe = find_lobe("bps");
+    const Design design = design_of(lobe.emit(parse_profile("p12"), default_architecture(lobe)));
     std::vector<std::string> names;
-    for (const Source& source : with_dependencies(rtl, {wrapper})) names.push_back(source.name);
+    for (const Source& source : read_sources(rtl, design)) names.push_back(source.name);
     CHECK(std::find(names.begin(), names.end(), "glint_bps.v") != names.end());
     CHECK(std::find(names.begin(), names.end(), "glint_divider.v") != names.end());
     CHECK(std::find(names.begin(), names.end(), "glint_axis.v") == names.end());
     CHECK(names.back() == "glint_bps_p12.v");
     const TemporaryFolder empty;
-    CHECK_THROWS_AS(with_dependencies(empty.path(), {wrapper}), Error);
+    CHECK_THROWS_AS(read_sources(empty.path(), design), Error);
 }
 
 TEST_CASE("a cell without a price is refused") {
@@ -172,7 +174,7 @@ TEST_CASE("a cell without a price is refused") {
 }
 
 TEST_CASE("points: the median, and what follows from it") {
-    FpgaPoint some = point("bps", 100);
+    Point some = point("bps", 100);
     CHECK(some.clock_mhz() == Approx(80.0));
     CHECK(some.latency_ns() == Approx(250.0));
     CHECK(some.results_per_second() == Approx(40e6));
@@ -205,12 +207,12 @@ TEST_CASE("the file of effects' prices: one of shade a mask, one of a highlight 
     const TemporaryFolder folder;
     const std::filesystem::path file = folder.path() / "effects.json";
     const auto effect = [](const std::string& name, std::optional<int> mask, const std::string& lobe, int luts) {
-        FpgaPoint out = point(lobe, luts);
+        Point out = point(lobe, luts);
         out.effect = name;
         out.mask = mask;
         return out;
     };
-    const auto write = [&](const std::vector<FpgaPoint>& points) {
+    const auto write = [&](const std::vector<Point>& points) {
         write_file(file, merged(file, PriceFile::effects, {{"yosys", "1"}}, points));
         return nlohmann::json::parse(read_file(file))["points"];
     };
@@ -230,7 +232,7 @@ TEST_CASE("the file of effects' prices: one of shade a mask, one of a highlight 
 }
 
 TEST_CASE("units of effects: those they are made of beside them, MASK set, and results as by the mask") {
-    FpgaOptions options;
+    Options options;
     options.effect = "shade";
     options.mask = "3,8";
     const std::vector<PricedUnit> units = priced_units(options);
@@ -252,7 +254,7 @@ TEST_CASE("units of effects: those they are made of beside them, MASK set, and r
     }
     CHECK(different > 64);
     std::vector<std::string> names;
-    for (const Source& source : with_dependencies(rtl, units[0].files)) names.push_back(source.name);
+    for (const Source& source : read_sources(rtl, units[0].design)) names.push_back(source.name);
     for (const char* file : {"glint_effect_lambert_p12.v", "glint_bps_p12.v", "glint_bps.v", "glint_fifo.v"}) {
         CAPTURE(file);
         CHECK(std::count(names.begin(), names.end(), file) == 1);
@@ -270,7 +272,7 @@ TEST_CASE("the table is the best of its size, and its model and its memory agree
     CHECK(format.n_bits + format.cos_bits == 13);  // 8192 x 8 bits: 16 of 30 block RAMs
     const auto model = table_model(profile, format);
     CHECK(model->eval_port(1, profile.one()).y <= 255);
-    const std::vector<Source> unit = table_unit(profile, format);
+    const Design unit = table_unit(profile, format);
     const std::vector<Exchange> burst = exchanges(*model, {{1, 0},
                                                            {1, profile.one()},
                                                            {1023, profile.one()},
@@ -279,8 +281,7 @@ TEST_CASE("the table is the best of its size, and its model and its memory agree
                                                            {0, 44444},
                                                            {700, -1},
                                                            {2, profile.one() + 1}});
-    const Clocks clocks =
-        flow.count_clocks(with_dependencies(rtl, unit), lobe_unit("glint_table_p8", profile, 1), burst);
+    const Clocks clocks = flow.count_clocks(read_sources(rtl, unit), lobe_unit("glint_table_p8", profile, 1), burst);
     CHECK(clocks.latency == 3);
     CHECK(clocks.interval == 1);
 }
@@ -294,7 +295,7 @@ TEST_CASE("A program that does not end is stopped after its processor time, one 
 }
 
 TEST_CASE("A seed that is not routed is named in the file and counts in no median") {
-    FpgaPoint point;
+    Point point;
     point.lobe = "bps";
     point.profile = "p8";
     point.architecture = "restoring";

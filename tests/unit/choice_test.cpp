@@ -1,9 +1,10 @@
-#include "glint/choice.hpp"
+#include "cost/choice.hpp"
 
 #include "catch.hpp"
 #include "glint/error.hpp"
 
 using namespace glint;
+using namespace glint::cost;
 
 namespace {
 

@@ -1,4 +1,4 @@
-#include "glint/forms.hpp"
+#include "studies/forms.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,6 +7,7 @@
 #include "glint/lobes.hpp"
 
 using namespace glint;
+using namespace glint::studies;
 
 namespace {
 

@@ -12,8 +12,8 @@
 
 #include "glint/effect.hpp"
 #include "glint/oren_nayar.hpp"
-#include "glint/paper2.hpp"
 #include "glint/ward.hpp"
+#include "studies/paper2.hpp"
 
 /// The unit vector at a polar and an azimuth angle, with the normal {0, 0, 1}.
 inline std::array<double, 3> unit_vector(double polar, double azimuth) {
@@ -23,9 +23,9 @@ inline std::array<double, 3> unit_vector(double polar, double azimuth) {
 /// By the name of the model, for one material.
 class LightingReference {
 public:
-    explicit LightingReference(const glint::paper2::Material& material) : material_(material) {}
+    explicit LightingReference(const glint::studies::paper2::Material& material) : material_(material) {}
 
-    std::map<std::string, double, std::less<>> operator()(const glint::paper2::Scene& s) const {
+    std::map<std::string, double, std::less<>> operator()(const glint::studies::paper2::Scene& s) const {
         namespace ct = glint::cook_torrance;
         const double nl = dot(s.N, s.L), nv = dot(s.N, s.V), lv = dot(s.L, s.V);
         std::array<double, 3> H{};
@@ -54,7 +54,7 @@ private:
         return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
     }
 
-    glint::paper2::Material material_;
+    glint::studies::paper2::Material material_;
     double reflectance_ = glint::cook_torrance::mean_fresnel(material_.index);
     glint::cook_torrance::Cubic angle_ =
         glint::cook_torrance::fit_beckmann(material_.roughness, glint::cook_torrance::Variable::angle);

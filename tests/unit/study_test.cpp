@@ -1,4 +1,4 @@
-#include "glint/study.hpp"
+#include "studies/study.hpp"
 
 #include <cmath>
 
@@ -6,6 +6,7 @@
 #include "glint/reference.hpp"
 
 using namespace glint;
+using namespace glint::studies;
 
 TEST_CASE("study: f_bps in the measures of the paper, on n from 8 to 1000") {
     const Study s = study(find_lobe("bps"));

@@ -15,13 +15,13 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
-#include "common.hpp"
 #include "exact.hpp"
 #include "glint/accuracy.hpp"
 #include "glint/bps.hpp"
 #include "glint/parallel.hpp"
 #include "glint/vectors.hpp"
-#include "results.hpp"
+#include "io/command.hpp"
+#include "io/results.hpp"
 #include "search.hpp"
 
 namespace glint::wide {
@@ -145,7 +145,7 @@ private:
     void set(const std::string& name, std::size_t tasks, Fill fill) {
         Findings findings;
         std::mutex mutex;
-        parallel_tasks(tasks, options_.threads, cli::progress_bar(name), [&] {
+        parallel_tasks(tasks, options_.threads, io::progress_bar(name), [&] {
             return [&, checker = Checker(*model_, exact_)](std::size_t task) mutable {
                 fill(task, checker);
                 const Findings part = checker.take();
@@ -271,7 +271,7 @@ private:
     void compare_with_brute_force() {
         Inputs expected;
         std::mutex mutex;
-        parallel_tasks(max_n - 1, options_.threads, cli::progress_bar("brute force"), [&] {
+        parallel_tasks(max_n - 1, options_.threads, io::progress_bar("brute force"), [&] {
             return [&](std::size_t task) {
                 const std::int64_t n = static_cast<std::int64_t>(task) + 2;
                 Inputs found;
@@ -309,14 +309,14 @@ private:
                             fmt::format("{:.6f}", findings.error.value), fmt::format("{}", findings.error.n),
                             fmt::format("{}", findings.error.cos_code)});
         }
-        fmt::print("{}", cli::table(rows));
+        fmt::print("{}", io::table(rows));
         fmt::print("largest error: {:.6f} ulp measured, {:.6f} for any real s; {:.1f} s\n", total.error.value, every_s_,
                    seconds_);
         if (total.error.value > every_s_) failures_.emplace_back("an input errs more than any real s may");
         if (every_s_ >= 1.0) failures_.emplace_back("the error of some real s is not below 1 ulp");
         if (!options_.json.empty()) write_json(total);
         for (const std::string& failure : failures_) fmt::print("FAILED: {}\n", failure);
-        return failures_.empty() ? cli::success : cli::check_failed;
+        return failures_.empty() ? io::success : io::check_failed;
     }
 
     /// In the form of `glint sweep --json`, so that proofs/gappa/run.py --measured holds it against the proven bound.
@@ -348,7 +348,7 @@ private:
                        {"sets", sets},
                        {"accuracy", {{"total", {{"inputs", total.inputs}, {"rounding", rounding}}}}}};
         const Json out{{"tool", "glint-wide"}, {"version", GLINT_VERSION}, {"runs", Json::array({run})}};
-        cli::write_file(options_.json, out.dump(1) + "\n");
+        io::write_file(options_.json, out.dump(1) + "\n");
     }
 
     Options options_;
@@ -382,5 +382,5 @@ int main(int argc, char** argv) {
                  "Hold the search for quotient boundaries against all inputs (p8: a second)");
     app.add_option("--threads", options.threads, "Threads; 0: one a core")->capture_default_str();
     app.footer("Example: glint-wide --profile 28,27,27,24 --count 100000000 --seed 1");
-    return glint::cli::run(app, argc, argv, [&] { return glint::wide::Run(options)(); });
+    return glint::io::run(app, argc, argv, [&] { return glint::wide::Run(options)(); });
 }

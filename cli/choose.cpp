@@ -1,0 +1,271 @@
+// `glint choose`: the best configuration under constraints, and the command that makes it.
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "cli/commands.hpp"
+#include "cost/prices.hpp"
+#include "cost/table.hpp"
+#include "glint/architecture.hpp"
+#include "glint/error.hpp"
+#include "io/command.hpp"
+#include "io/quantity.hpp"
+
+namespace glint::cli {
+
+using namespace cost;
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct Options {
+    std::string data = "cost/data";
+    std::string device = "hx8k";
+    std::string n = "all";
+    std::string cosine = "rounded";
+    std::string max_error, clock, latency_ns, throughput;
+    int latency_clocks = 0, max_luts = -1, min_output_bits = 0;
+    bool no_dsp = false;
+    std::string minimize = "luts";
+    int runners_up = 5;
+    std::string json;
+};
+
+/// A constraint as it was asked for.
+struct Wish {
+    std::string option;  ///< with what its value takes: "--max-luts {}"
+    Constraint constraint;
+
+    /// "--max-luts 1200"
+    std::string with(const std::string& value) const { return fmt::format(fmt::runtime(option), value); }
+};
+
+std::vector<Wish> wishes(const Options& o) {
+    std::vector<Wish> out;
+    const auto wish = [&](const char* option, Metric metric, double bound) {
+        out.push_back({option, {metric, bound}});
+    };
+    if (!o.max_error.empty()) {
+        wish("--max-error {}", Metric::error, io::parse_quantity(o.max_error, "--max-error", {}));
+    }
+    if (!o.clock.empty()) {
+        wish("--clock {}MHz", Metric::clock,
+             io::parse_quantity(o.clock, "--clock", {{"MHz", 1e6}, {"GHz", 1e9}, {"kHz", 1e3}, {"Hz", 1.0}}));
+    }
+    if (!o.latency_ns.empty()) {
+        wish("--latency-ns {}", Metric::latency,
+             io::parse_quantity(o.latency_ns, "--latency-ns", {{"ns", 1.0}, {"us", 1e3}, {"ms", 1e6}}));
+    }
+    if (o.latency_clocks > 0) wish("--latency-clocks {}", Metric::latency_clocks, o.latency_clocks);
+    if (!o.throughput.empty()) {
+        wish("--throughput {}", Metric::throughput,
+             io::parse_quantity(
+                 o.throughput, "--throughput",
+                 {{"/s", 1.0}, {"k", 1e3}, {"M", 1e6}, {"G", 1e9}, {"k/s", 1e3}, {"M/s", 1e6}, {"G/s", 1e9}}));
+    }
+    if (o.no_dsp) wish("--no-dsp", Metric::dsps, 0);
+    if (o.max_luts >= 0) wish("--max-luts {}", Metric::luts, o.max_luts);
+    if (o.min_output_bits > 0) wish("--min-output-bits {}", Metric::output_bits, o.min_output_bits);
+    return out;
+}
+
+/// Four significant digits, on the side where the constraint still holds for the number itself.
+std::string loosened(double x, bool more_is_better) {
+    if (x == std::round(x) && x < 1e6) return fmt::format("{:.0f}", x);
+    const double place = std::pow(10.0, std::floor(std::log10(x)) - 3.0);
+    // A hair more: in binary, a multiple of the place may come out on the wrong side of itself.
+    const double rounded = more_is_better ? std::floor(x / place - 1e-6) : std::ceil(x / place + 1e-6);
+    return fmt::format("{:.4g}", rounded * place);
+}
+
+/// What another one costs and gives against the best: what differs by at least a hundredth.
+std::string against(const Configuration& best, const Configuration& other) {
+    std::string out;
+    const auto say = [&](const std::string& text) { out += (out.empty() ? "" : ", ") + text; };
+    for (const Metric metric :
+         {Metric::luts, Metric::dsps, Metric::brams, Metric::error, Metric::output_bits, Metric::latency, Metric::ns}) {
+        const std::optional<double> a = value(best, metric);
+        const std::optional<double> b = value(other, metric);
+        if (!a || !b || std::abs(*a - *b) <= 0.01 * std::abs(*a)) continue;
+        if (metric == Metric::luts && *a > 0.0) {
+            say(fmt::format("{:+.0f} % LUTs", 100.0 * (*b / *a - 1.0)));
+        } else if (metric == Metric::error) {
+            say(fmt::format("error {} instead of {}", short_number(*b), short_number(*a)));
+        } else if (metric == Metric::latency) {
+            say(fmt::format("latency {} ns instead of {}", short_number(*b), short_number(*a)));
+        } else if (metric == Metric::ns) {
+            say(fmt::format("a result in {} ns instead of {}", short_number(*b), short_number(*a)));
+        } else if (metric == Metric::output_bits) {
+            say(fmt::format("{} output bits instead of {}", *b, *a));
+        } else {  // counts
+            say(fmt::format("{} {} instead of {}", *b, info(metric).unit, *a));
+        }
+    }
+    return out.empty() ? "the same within a hundredth" : out;
+}
+
+std::string emit_line(const Configuration& c) {
+    const bool standard = c.architecture == default_architecture(find_lobe(c.lobe)).name;
+    return fmt::format("glint emit --lobe {} --profile {}{} --target verilog -o out", c.lobe, c.profile,
+                       standard ? "" : " --architecture " + c.architecture);
+}
+
+bool in_registry(const Configuration& c) {
+    const auto all = lobes();
+    return std::any_of(all.begin(), all.end(), [&](const Lobe& lobe) { return lobe.name == c.lobe; });
+}
+
+struct Decision {
+    std::vector<Configuration> all;  ///< of the device
+    Choice choice;
+};
+
+Decision decide(const Prices& data, const Scope& scope, const std::string& device, const std::vector<Wish>& wanted,
+                Metric best_in) {
+    Decision out{join(data, scope, device), {}};
+    std::erase_if(out.all, [](const Configuration& c) { return !in_registry(c); });  // a rival, that nothing emits
+    std::vector<Constraint> constraints;
+    for (const Wish& wish : wanted) constraints.push_back(wish.constraint);
+    out.choice = choose(out.all, constraints, best_in);
+    return out;
+}
+
+/// One step that opens a solution: an option as it would have to be, and the configuration that then does.
+struct Step {
+    std::string option;
+    Configuration configuration;
+};
+
+std::vector<Step> steps(const Decision& none, const std::vector<Wish>& wanted, const Prices& data, const Scope& scope,
+                        const std::string& device, Metric best_in) {
+    std::vector<Step> out;
+    for (const Relaxation& relaxation : none.choice.relaxations) {
+        const Wish& wish = wanted[relaxation.constraint];
+        const std::string bound = loosened(relaxation.bound, info(wish.constraint.metric).more_is_better);
+        const bool is_switch = wish.option.find('{') == std::string::npos;
+        out.push_back({is_switch ? "without " + wish.option : wish.with(bound), none.all[relaxation.configuration]});
+    }
+    for (const std::string& other : priced_devices(data)) {
+        if (other == device) continue;
+        const Decision elsewhere = decide(data, scope, other, wanted, best_in);
+        if (elsewhere.choice.feasible.empty()) continue;
+        out.push_back({"--device " + other, elsewhere.all[elsewhere.choice.feasible.front()]});
+    }
+    return out;
+}
+
+int run_choose(const Options& options, const std::string& command) {
+    io::check_writable(options.json);
+    const Metric best_in = find_metric(options.minimize).metric;
+    const std::vector<Wish> wanted = wishes(options);
+    Scope scope{parse_range(options.n, "--n", 1, max_n), parse_cosine(options.cosine), {}};
+    for (const Wish& wish : wanted) {
+        if (wish.constraint.metric == Metric::clock) scope.asked_mhz = wish.constraint.bound;
+    }
+    const Prices data = read_cost_data(options.data);
+    check_device(data, options.device);
+    const Decision decision = decide(data, scope, options.device, wanted, best_in);
+    const Choice& choice = decision.choice;
+
+    std::vector<std::string> asked;
+    Json wanted_json = Json::array();
+    for (const Wish& wish : wanted) {
+        asked.push_back(wish.with(fmt::format("{:g}", wish.constraint.bound)));
+        wanted_json.push_back({{"option", wish.option.substr(0, wish.option.find(' '))},
+                               {"metric", info(wish.constraint.metric).name},
+                               {"bound", wish.constraint.bound}});
+    }
+    Json json{{"tool", "glint choose"},
+              {"version", GLINT_VERSION},
+              {"command", command},
+              {"n", {{"first", scope.n.first}, {"last", scope.n.last}, {"step", scope.n.step}}},
+              {"cosine", options.cosine},
+              {"device", options.device},
+              {"minimize", options.minimize},
+              {"wanted", wanted_json},
+              {"configurations", decision.all.size()},
+              {"feasible", choice.feasible.size()}};
+    const auto finish = [&](int status) {
+        if (!options.json.empty()) io::write_file(options.json, json.dump(1) + "\n");
+        return status;
+    };
+    fmt::print("wanted: the best {} on {} for {}{}{}\n", options.minimize, options.device, to_text(scope),
+               asked.empty() ? "" : "; ", fmt::join(asked, " "));
+
+    if (choice.feasible.empty()) {
+        json["best"] = nullptr;
+        json["relaxations"] = Json::array();
+        fmt::print("none of {} configurations will do", decision.all.size());
+        std::vector<std::vector<std::string>> rows{{"one change is enough", "for", "with", "LUTs", "error"}};
+        for (const Step& step : steps(decision, wanted, data, scope, options.device, best_in)) {
+            const Configuration& c = step.configuration;
+            rows.push_back({step.option, name_of(c), c.dsp ? "DSPs" : "no DSPs", fmt::format("{}", c.luts),
+                            short_number(c.error)});
+            json["relaxations"].push_back(
+                {{"option", step.option}, {"configuration", configuration_json(step.configuration)}});
+        }
+        if (rows.size() == 1) {
+            fmt::print(", and no change of one constraint or of the device is enough\n");
+        } else {
+            fmt::print(":\n{}", io::table(rows));
+        }
+        return finish(io::check_failed);
+    }
+
+    std::vector<Configuration> shown;
+    std::string notes;
+    json["runners_up"] = Json::array();
+    const auto most = static_cast<std::size_t>(options.runners_up) + 1;
+    for (const std::size_t i : choice.worthwhile) {
+        if (shown.size() == most) break;
+        const Configuration& c = decision.all[i];
+        Json row = configuration_json(c);
+        row["emit"] = emit_line(c);
+        if (shown.empty()) {
+            json["best"] = row;
+        } else {
+            row["against_best"] = against(shown.front(), c);
+            notes += fmt::format("  {}: {}\n", name_of(c), row["against_best"].get<std::string>());
+            json["runners_up"].push_back(row);
+        }
+        shown.push_back(c);
+    }
+    fmt::print("{}", configurations_table(shown));
+    if (!notes.empty()) fmt::print("against the first:\n{}", notes);
+    fmt::print("{} of {} configurations will do; {} of those are not beaten in everything by another\n",
+               choice.feasible.size(), decision.all.size(), choice.worthwhile.size());
+    fmt::print("{}\n", emit_line(shown.front()));
+    return finish(io::success);
+}
+
+}  // namespace
+
+void add_choose(CLI::App& app, Chosen& chosen) {
+    auto o = std::make_shared<Options>();
+    CLI::App* command = app.add_subcommand("choose", "The cheapest lobe, profile and architecture that will do");
+    command->add_option("--max-error", o->max_error, "Largest absolute error against c^n");
+    command->add_option("--n", o->n, "Exponents that the error is over: first:last or all")->capture_default_str();
+    command->add_option("--cosine", o->cosine, "The cosine that it is at: rounded or exact")->capture_default_str();
+    command->add_option("--device", o->device, "Device")->capture_default_str();
+    command->add_option("--clock", o->clock, "Clock to be reached, and run at: 48MHz");
+    command->add_option("--latency-ns", o->latency_ns, "Longest latency: 200ns");
+    io::add_integer(*command, "--latency-clocks", o->latency_clocks, 1, 1'000'000, "Longest latency in clocks")
+        ->default_str("");
+    command->add_option("--throughput", o->throughput, "Results a second, at least: 40M");
+    command->add_flag("--no-dsp", o->no_dsp, "Use no DSP blocks");
+    io::add_integer(*command, "--max-luts", o->max_luts, 0, 100'000'000, "Most LUTs")->default_str("");
+    io::add_integer(*command, "--min-output-bits", o->min_output_bits, 4, 28, "Fewest fraction bits of the output")
+        ->default_str("");
+    command->add_option("--minimize", o->minimize, "luts, latency, ns, dsps, error or another metric")
+        ->capture_default_str();
+    io::add_integer(*command, "--runners-up", o->runners_up, 0, 100, "Runners-up to show");
+    command->add_option("--data", o->data, "Folder of accuracy.json and fpga.json")->capture_default_str();
+    command->add_option("--json", o->json, "Write the same as JSON");
+    command->footer("Example: glint choose --max-error 0.005 --n 8:1000 --device up5k --clock 16MHz");
+    command->callback([=, &chosen] { chosen.run = [=, &chosen] { return run_choose(*o, chosen.command); }; });
+}
+
+}  // namespace glint::cli

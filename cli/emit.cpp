@@ -1,0 +1,135 @@
+#include "glint/emit.hpp"
+
+#include <iterator>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "cli/commands.hpp"
+#include "glint/effect.hpp"
+#include "glint/error.hpp"
+#include "glint/sweep.hpp"
+#include "io/command.hpp"
+
+namespace glint::cli {
+namespace {
+
+struct Options {
+    std::string effect;
+    std::string lobe = "bps";
+    std::string profile = "p12";
+    std::string architecture;
+    std::string target = "all";
+    std::string folder = ".";
+    bool manifest = false;
+};
+
+std::string_view name(GeneratedFile::Target target) {
+    switch (target) {
+        case GeneratedFile::Target::verilog:
+            return "verilog";
+        case GeneratedFile::Target::hls:
+            return "hls";
+        case GeneratedFile::Target::proof:
+            return "proof";
+    }
+    return "";
+}
+
+/// What is known about the error of a custom profile: measured over all inputs where that takes seconds.
+std::string measured_bound(const GoldenModel& model) {
+    if (model.profile().F > 18) return "not shown (more than 2^28 inputs; `glint sweep` measures a part or all)";
+    const SweepResult result =
+        sweep(model, {1, max_n, 1}, {0, model.profile().one(), 1}, 0, io::progress_bar("rounding"));
+    return fmt::format("{:.4f} ulp, measured over all {} inputs", result.total.rounding.value, result.total.inputs);
+}
+
+void write(const std::filesystem::path& path, const std::string& text) {
+    io::write_file(path, text);
+    fmt::print("{}\n", path.string());
+}
+
+/// The manifest of units and a list of the files of each: `lists` is their folder.
+void write_units(const std::vector<HardwareUnit>& units, const std::filesystem::path& folder,
+                 const std::filesystem::path& lists, const FileRoots& in_manifest, const FileRoots& in_lists) {
+    write(folder / "units.json", manifest(units, in_manifest));
+    for (const HardwareUnit& unit : units) write(lists / (unit.name + ".f"), file_list(unit, in_lists));
+}
+
+/// Each file once, though several units may be made of it.
+void write(const std::vector<GeneratedFile>& files, const Options& options) {
+    const std::filesystem::path folder = options.folder;
+    io::make_folder(options.folder);
+    std::set<std::string> written;
+    std::vector<HardwareUnit> units;
+    for (const GeneratedFile& file : files) {
+        if (options.target != "all" && options.target != name(file.target)) continue;
+        if (!written.insert(file.name).second) continue;
+        write(folder / file.name, file.text);
+        if (file.unit) units.push_back(*file.unit);
+    }
+    if (units.empty()) return;
+    write_units(units, folder, folder, emitted_paths, emitted_list);
+}
+
+int run_emit(const Options& options) {
+    if (options.target != "all" && options.target != "verilog" && options.target != "hls" &&
+        options.target != "proof") {
+        throw Error(fmt::format("target '{}' is not legal: verilog, hls, proof or all", options.target));
+    }
+    if (options.manifest) {
+        const std::filesystem::path folder = options.folder;
+        io::make_folder((folder / "generated").string());
+        write_units(committed_units(), folder, folder / "generated", committed_paths, committed_list);
+        return io::success;
+    }
+    // All before the first is written: a profile that is not legal leaves nothing behind.
+    std::vector<GeneratedFile> files;
+    const auto add = [&](std::vector<GeneratedFile> more) {
+        std::move(more.begin(), more.end(), std::back_inserter(files));
+    };
+    if (!options.effect.empty()) {
+        const Effect& effect = find_effect(options.effect);
+        for (const std::string& text : io::split_profiles(options.profile)) {
+            add(effect.emit(parse_profile(text), options.lobe));
+        }
+        write(files, options);
+        return io::success;
+    }
+    const LobeChoice choice = parse_lobe(options.lobe);
+    const Lobe& lobe = *choice.lobe;
+    const Architecture architecture =
+        options.architecture.empty() ? default_architecture(lobe) : parse_architecture(lobe, options.architecture);
+    const std::vector<std::string> profiles = io::split_profiles(options.profile);
+    for (const std::string& text : profiles) add(lobe.emit(choice.profile(text), architecture));
+    write(files, options);
+    for (const std::string& text : profiles) {
+        const Profile profile = choice.profile(text);
+        if (!profile.shipped() || !profile.options.empty()) {
+            fmt::print("{} {}: rounding error {}\n", lobe.name, text, measured_bound(*lobe.golden(profile)));
+        }
+    }
+    return io::success;
+}
+
+}  // namespace
+
+void add_emit(CLI::App& app, Chosen& chosen) {
+    auto options = std::make_shared<Options>();
+    CLI::App* command = app.add_subcommand("emit", "Verilog wrappers, HLS constants and proof scripts of a profile");
+    command->add_option("--effect", options->effect, "An effect instead of a lobe (phong, blinn_phong: of --lobe)");
+    command->add_option("--lobe", options->lobe, "Lobe, with its options: polynomial:symmetric:0:-1:2")
+        ->capture_default_str();
+    command->add_option("--profile", options->profile, "Profiles: p8, p12, p16 or the lobe's F,..,O")
+        ->capture_default_str();
+    command->add_option("--architecture", options->architecture,
+                        "How the Verilog is built: iterative, radix4:r2, ... (docs/rtl.md)");
+    command->add_option("--target", options->target, "verilog, hls, proof or all")->capture_default_str();
+    command->add_option("-o,--output", options->folder, "Folder")->capture_default_str();
+    command->add_flag("--manifest", options->manifest,
+                      "Only units.json and the lists of files of the units in rtl/ (docs/rtl.md)");
+    command->footer("Example: glint emit --lobe bps --profile 18,14,14,12 -o out");
+    command->callback([=, &chosen] { chosen.run = [=] { return run_emit(*options); }; });
+}
+
+}  // namespace glint::cli

@@ -1,0 +1,189 @@
+#include "cost/fpga/cost.hpp"
+
+#include <algorithm>
+#include <memory>
+
+#include <fmt/format.h>
+
+#include "cost/fpga/flow.hpp"
+#include "cost/fpga/table.hpp"
+#include "cost/fpga/units.hpp"
+#include "glint/error.hpp"
+#include "io/command.hpp"
+
+namespace glint::fpga {
+namespace {
+
+std::vector<int> parse_seeds(const std::string& text) {
+    std::vector<int> out;
+    for (const std::string& seed : io::split_list(text)) {
+        out.push_back(static_cast<int>(io::parse_integer(seed, "--seeds", 1, INT32_MAX)));
+        if (std::count(out.begin(), out.end(), out.back()) > 1) {
+            throw Error(fmt::format("--seeds '{}' is not legal: each seed once", text));
+        }
+    }
+    return out;
+}
+
+/// The devices of a list that a router is there for. Of the others a line says that they are left out.
+std::vector<const Device*> usable_devices(Flow& flow, const std::string& text) {
+    std::vector<const Device*> out;
+    std::string left_out;  // devices of one family, whose router is not there
+    for (const std::string& name : io::split_list(text)) {
+        const Device& device = find_device(name);
+        const std::string router(device.family->router);
+        if (router != "nextpnr-ecp5" || flow.has(router)) {
+            out.push_back(&device);
+        } else {
+            left_out += (left_out.empty() ? "" : ",") + name;
+        }
+    }
+    if (!left_out.empty()) left_out += ": nextpnr-ecp5 is not there; scripts/ecp5.sh puts one into build/venv";
+    if (out.empty()) throw Error(left_out);
+    if (!left_out.empty()) fmt::print(stderr, "left out: {}\n", left_out);
+    return out;
+}
+
+/// With and without DSPs, where the device has any.
+std::vector<bool> dsp_choices(const Device& device, const std::string& text) {
+    if (text != "on" && text != "off" && text != "both") {
+        throw Error(fmt::format("--dsp '{}' is not legal: on, off or both", text));
+    }
+    if (!device.has_dsps || text == "off") return {false};
+    if (text == "on") return {true};
+    return {false, true};
+}
+
+/// A unit on a device.
+struct Request {
+    std::shared_ptr<const PricedUnit> what;
+    const Device* device = nullptr;
+    bool dsp = false;
+};
+
+std::vector<Request> requests(const Options& options, Flow& flow) {
+    const std::vector<const Device*> devices = usable_devices(flow, options.device);
+    std::vector<Request> out;
+    for (PricedUnit& unit : priced_units(options)) {
+        const auto what = std::make_shared<const PricedUnit>(std::move(unit));
+        for (const Device* device : devices) {
+            for (const bool dsp : dsp_choices(*device, options.dsp)) out.push_back({what, device, dsp});
+        }
+    }
+    return out;
+}
+
+Point price(Flow& flow, const Request& request, const std::vector<Source>& sources, const std::vector<int>& seeds) {
+    const Device& device = *request.device;
+    const Unit& unit = request.what->unit;
+    Point out = request.what->point;
+    out.device = device.name;
+    out.dsp = request.dsp;
+    if (const GoldenModel* rival = request.what->rival.get()) {
+        const std::vector<Source>& files = request.what->design.generated;
+        out.error = flow.cached("error" + files.front().text + files.back().text, [&] { return table_error(*rival); });
+    }
+    const Clocks clocks = flow.count_clocks(sources, unit, request.what->burst);
+    out.latency = clocks.latency;
+    out.interval = clocks.interval;
+
+    std::vector<Source> with_harness = sources;
+    with_harness.push_back({"glint_harness.v", harness(unit)});
+    Flow::Netlist whole(flow, with_harness, device, request.dsp);
+    Flow::Netlist alone(flow, {{"glint_harness.v", harness_alone(unit)}}, device, request.dsp);
+    const Resources all = whole.resources();
+    const Resources around = alone.resources();
+    out.resources = {all.luts - around.luts, all.registers - around.registers, all.carries - around.carries,
+                     all.dsps - around.dsps, all.brams - around.brams};
+
+    out.routed = !device.family->router.empty();
+    out.fits = out.routed;
+    for (const int seed : out.routed ? seeds : std::vector<int>()) {
+        const Routing routing = whole.route(seed);
+        if (!routing.fits) {
+            out.fits = false;
+            out.why = routing.why;
+            out.clocks_mhz.clear();
+            break;
+        }
+        if (!routing.routed) {
+            out.unrouted_seeds.push_back(seed);
+            continue;
+        }
+        out.clocks_mhz.push_back(routing.clock_mhz);
+        out.harness_limits |= routing.harness_limits;
+        out.cells = routing.cells - alone.route(seed).cells;
+    }
+    if (out.fits && out.clocks_mhz.empty()) {
+        out.fits = false;
+        out.why = fmt::format("no seed is routed in {} s of processor time", router_cpu_seconds);
+    }
+    out.hash = price_hash(with_harness, device, request.dsp);
+    return out;
+}
+
+void measure(const Options& options) {
+    Flow flow(options.cache);
+    const std::vector<int> seeds = parse_seeds(options.seeds);
+    io::check_writable(options.json);
+    const std::vector<Request> all = requests(options, flow);
+    ToolVersions tools;
+    for (const Request& request : all) {
+        for (const std::string& tool :
+             {std::string("yosys"), std::string("iverilog"), std::string(request.device->family->router)}) {
+            if (!tool.empty()) tools[tool] = flow.version(tool);
+        }
+    }
+    const PriceFile file = options.effect.empty() ? PriceFile::lobes : PriceFile::effects;
+    if (!options.json.empty()) merged(options.json, file, tools, {});  // what can be refused is, before the work
+    std::vector<std::vector<Source>> sources;
+    for (const Request& request : all) sources.push_back(read_sources(options.rtl, request.what->design));
+
+    std::vector<Point> points(all.size());
+    parallel_tasks(all.size(), options.jobs, io::progress_bar("cost"),
+                   [&] { return [&](std::size_t i) { points[i] = price(flow, all[i], sources[i], seeds); }; });
+    if (!options.json.empty()) io::write_file(options.json, merged(options.json, file, tools, points));
+    fmt::print("{}", points_table(points, file));
+}
+
+/// Whether the price is one of the Verilog in the folder `rtl`.
+bool is_current(const Point& point, const std::string& rtl) {
+    Options options;
+    options.effect = point.effect;
+    if (!point.lobe.empty()) options.lobe = point.lobe;
+    if (point.mask) options.mask = std::to_string(*point.mask);
+    options.profile = point.profile;
+    options.architecture = point.architecture;
+    const PricedUnit priced = priced_units(options).front();
+    std::vector<Source> sources = read_sources(rtl, priced.design);
+    sources.push_back({"glint_harness.v", harness(priced.unit)});
+    return price_hash(sources, find_device(point.device), point.dsp) == point.hash;
+}
+
+}  // namespace
+
+int run_price_check(const Options& options) {
+    const std::string path = options.json.empty() ? "cost/data/fpga.json" : options.json;
+    const std::vector<Point> points = named_points(path);
+    std::vector<char> current(points.size());
+    parallel_tasks(points.size(), options.jobs, io::progress_bar("check"),
+                   [&] { return [&](std::size_t i) { current[i] = is_current(points[i], options.rtl); }; });
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        if (!current[i]) fmt::print("of other Verilog: {}\n", name_of(points[i]));
+    }
+    const auto stale = std::count(current.begin(), current.end(), 0);
+    fmt::print("{}: {} prices, {} of other Verilog or options\n", path, points.size(), stale);
+    return stale == 0 ? io::success : io::check_failed;
+}
+
+int run_fpga(const Options& options) {
+    try {
+        measure(options);
+    } catch (const ToolFailure& failure) {
+        fmt::print(stderr, "glint: {}\n", failure.what());
+        return io::check_failed;
+    }
+    return io::success;
+}
+
+}  // namespace glint::fpga

@@ -1,0 +1,115 @@
+#include "cost/fpga/device.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include <fmt/format.h>
+
+#include "glint/error.hpp"
+
+namespace glint::fpga {
+namespace {
+
+constexpr Family ice40{"synth_ice40", "-dsp", "", "nextpnr-ice40", "ICESTORM_LC", false};
+constexpr Family ecp5{"synth_ecp5", "", "-nodsp", "nextpnr-ecp5", "TRELLIS_COMB"};
+constexpr Family xc7{"synth_xilinx -flatten", "", "-nodsp", "", ""};
+
+/// What one cell costs. A name that ends with '*' is the beginning of names.
+struct Price {
+    const Family* family;
+    std::string_view cell;
+    Resources each;
+};
+
+constexpr std::array prices{
+    Price{&ice40, "SB_LUT4", {.luts = 1}},
+    Price{&ice40, "SB_DFF*", {.registers = 1}},
+    Price{&ice40, "SB_CARRY", {.carries = 1}},
+    Price{&ice40, "SB_MAC16", {.dsps = 1}},
+    Price{&ice40, "SB_RAM40_4K*", {.brams = 1}},
+    Price{&ecp5, "LUT4", {.luts = 1}},
+    Price{&ecp5, "TRELLIS_FF", {.registers = 1}},
+    Price{&ecp5, "CCU2C", {.luts = 2, .carries = 1}},
+    Price{&ecp5, "MULT18X18D", {.dsps = 1}},
+    Price{&ecp5, "TRELLIS_DPR16X4", {.luts = 6}},  // four hold the bits, two more drive their write port
+    Price{&ecp5, "DP16KD", {.brams = 1}},
+    Price{&ecp5, "PDPW16KD", {.brams = 1}},
+    Price{&ecp5, "PFUMX", {}},
+    Price{&ecp5, "L6MUX21", {}},
+    Price{&xc7, "LUT*", {.luts = 1}},
+    Price{&xc7, "INV", {.luts = 1}},
+    Price{&xc7, "RAM32M", {.luts = 4}},
+    Price{&xc7, "RAM64M", {.luts = 4}},
+    Price{&xc7, "RAM64X1D", {.luts = 2}},
+    Price{&xc7, "SRL16E", {.luts = 1}},
+    Price{&xc7, "SRLC32E", {.luts = 1}},
+    Price{&xc7, "FD*", {.registers = 1}},
+    Price{&xc7, "CARRY4", {.carries = 1}},
+    Price{&xc7, "DSP48E1", {.dsps = 1}},
+    Price{&xc7, "RAMB18E1", {.brams = 1}},
+    Price{&xc7, "RAMB36E1", {.brams = 2}},
+    Price{&xc7, "MUXF*", {}},
+    Price{&xc7, "BUFG", {}},
+    Price{&xc7, "IBUF", {}},
+    Price{&xc7, "OBUF", {}},
+};
+
+bool matches(std::string_view pattern, std::string_view name) {
+    if (!pattern.ends_with('*')) return pattern == name;
+    pattern.remove_suffix(1);
+    return name.starts_with(pattern);
+}
+
+}  // namespace
+
+std::span<const Device> devices() {
+    static const std::array<Device, 5> all{{
+        {"hx8k", "Lattice iCE40 HX8K", &ice40, {"--hx8k", "--package", "ct256"}, 7680, 0, 32, false},
+        {"up5k", "Lattice iCE40 UltraPlus UP5K", &ice40, {"--up5k", "--package", "sg48"}, 5280, 8, 30, true},
+        {"ecp5-25k", "Lattice ECP5 LFE5U-25F", &ecp5, {"--25k", "--package", "CABGA381"}, 24288, 28, 56, true},
+        {"ecp5-85k", "Lattice ECP5 LFE5U-85F", &ecp5, {"--85k", "--package", "CABGA381"}, 83640, 156, 208, true},
+        {"xc7", "Xilinx 7 series", &xc7, {}, 0, 0, 0, true},
+    }};
+    return all;
+}
+
+std::string dsp_clock_notes(const std::set<std::string>& names) {
+    std::string out;
+    for (const Device& device : devices()) {
+        if (!device.has_dsps || device.family->times_dsps || !names.contains(std::string(device.name))) continue;
+        out += fmt::format("{}: {} counts no time inside a DSP: the clocks of units with DSPs are upper bounds\n",
+                           device.name, device.family->router);
+    }
+    return out;
+}
+
+const Device& find_device(std::string_view name) {
+    std::string known;
+    for (const Device& device : devices()) {
+        if (device.name == name) return device;
+        known += fmt::format("{}{}", known.empty() ? "" : ", ", device.name);
+    }
+    throw Error(fmt::format("device '{}' is not known: {}", name, known));
+}
+
+Resources count_resources(const Family& family, const std::map<std::string, int>& cells) {
+    Resources out;
+    for (const auto& entry : cells) {
+        const std::string& cell = entry.first;
+        const int count = entry.second;
+        const auto price = std::find_if(prices.begin(), prices.end(), [&](const Price& each) {
+            return each.family == &family && matches(each.cell, cell);
+        });
+        if (price == prices.end()) {
+            throw Error(fmt::format("{} used a cell that has no price here: {} x {}", family.synthesis, count, cell));
+        }
+        out.luts += count * price->each.luts;
+        out.registers += count * price->each.registers;
+        out.carries += count * price->each.carries;
+        out.dsps += count * price->each.dsps;
+        out.brams += count * price->each.brams;
+    }
+    return out;
+}
+
+}  // namespace glint::fpga

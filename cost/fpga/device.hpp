@@ -1,0 +1,58 @@
+// The devices that `glint cost --fpga` prices on: what they hold, and how Yosys and nextpnr are asked for them.
+#pragma once
+
+#include <map>
+#include <set>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace glint::fpga {
+
+/// What a design takes of a device.
+struct Resources {
+    /// Look-up tables: of 4 inputs, on xc7 of 6. Those that are memory count, and the two of a carry cell of ECP5.
+    int luts = 0;
+    int registers = 0;  ///< flip-flops
+    int carries = 0;    ///< SB_CARRY (1 bit), CCU2C (2 bits), CARRY4 (4 bits)
+    int dsps = 0;       ///< SB_MAC16, MULT18X18D, DSP48E1
+    int brams = 0;      ///< of 4 kbit (iCE40), 18 kbit (ECP5, xc7; a RAMB36E1 is two)
+};
+
+/// A family of devices, by the Yosys command that maps to it.
+struct Family {
+    std::string_view synthesis;  ///< "synth_ice40"
+    std::string_view dsp_on;     ///< its option that lets products use DSPs; empty where that is its default
+    std::string_view dsp_off;
+    std::string_view router;  ///< "nextpnr-ice40"; empty: resources alone
+    std::string_view cell;    ///< nextpnr's name for the cell of a LUT and a register, e.g. "ICESTORM_LC"
+    bool times_dsps = true;   ///< the router knows how long a DSP takes
+};
+
+struct Device {
+    std::string_view name;  ///< as on the command line
+    std::string_view part;  ///< for people
+    const Family* family = nullptr;
+    std::vector<std::string> arguments;  ///< of the router: device and package
+    /// What the device has; 0 for xc7, a family and no part.
+    int luts = 0;
+    int dsps = 0;
+    int brams = 0;
+    bool has_dsps = false;
+};
+
+std::span<const Device> devices();
+
+/// Throws Error with the list of the known devices.
+const Device& find_device(std::string_view name);
+
+/// A line for each of these devices whose router does not know how long a DSP takes: what that means for the clocks of
+/// units with DSPs. Names that are not known are passed over.
+std::string dsp_clock_notes(const std::set<std::string>& devices);
+
+/// The resources in a netlist, from the number of its cells of each type. Pads, clock buffers and wide multiplexers
+/// between LUTs are free. Throws Error for a type that has no price, lest it pass unseen.
+Resources count_resources(const Family& family, const std::map<std::string, int>& cells);
+
+}  // namespace glint::fpga

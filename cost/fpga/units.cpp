@@ -1,0 +1,256 @@
+#include "cost/fpga/units.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <random>
+
+#include <fmt/format.h>
+
+#include "cost/fpga/table.hpp"
+#include "glint/architecture.hpp"
+#include "glint/effect.hpp"
+#include "glint/error.hpp"
+#include "glint/shade.hpp"
+#include "glint/vectors.hpp"
+#include "io/command.hpp"
+
+namespace glint::fpga {
+namespace {
+
+constexpr int tag_w = 1;  // the least: each further bit is a register, or a part of one, a clock of latency
+constexpr std::string_view rival = "table";
+
+std::string module_of(const Design& design) { return std::filesystem::path(design.generated.back().name).stem(); }
+
+// ---- lobes -------------------------------------------------------------------------------------------------------
+
+constexpr std::string_view all_architectures =
+    "restoring,radix4,iterative,reciprocal,restoring:m2,radix4:m2,iterative:m2,reciprocal:m2,pipelined,pipelined:m2";
+
+/// Those of a list that the lobe can have: one with a divider and one without have none in common. Throws Error when
+/// there is none.
+std::vector<Architecture> architectures(const Lobe& lobe, const std::string& text) {
+    if (text.empty()) return {default_architecture(lobe)};
+    std::vector<Architecture> out;
+    std::string refused;
+    for (const std::string& name : io::split_list(text == "all" ? std::string(all_architectures) : text)) {
+        try {
+            const Architecture architecture = parse_architecture(lobe, name);
+            if (std::find(out.begin(), out.end(), architecture) == out.end()) out.push_back(architecture);
+        } catch (const Error& error) {
+            refused = error.what();
+        }
+    }
+    if (out.empty()) throw Error(refused);
+    return out;
+}
+
+/// Throws Error for an architecture of a list that none of the lobes can have.
+void check_architectures(const std::vector<LobeChoice>& lobes, const std::string& text) {
+    if (text.empty() || text == "all") return;
+    for (const std::string& name : io::split_list(text)) {
+        std::string refused;
+        const bool legal = std::any_of(lobes.begin(), lobes.end(), [&](const LobeChoice& choice) {
+            try {
+                parse_architecture(*choice.lobe, name);
+                return true;
+            } catch (const Error& error) {
+                refused = error.what();
+                return false;
+            }
+        });
+        if (!legal) throw Error(refused);
+    }
+}
+
+/// Legal inputs, their ends among them, and some that are corrected.
+std::vector<Exchange> lobe_burst(const GoldenModel& model) {
+    constexpr std::size_t length = 64;
+    const Profile& profile = model.profile();
+    const std::int64_t one = profile.one();
+    std::vector<Exchange> out;
+    for (const auto& [n, cosine] : std::initializer_list<std::pair<int, std::int64_t>>{
+             {1, 0}, {max_n, one}, {1, one}, {0, 1}, {50, -1}, {50, one + 1}}) {
+        out.push_back({{n, cosine}, {}});
+    }
+    std::mt19937 random;
+    while (out.size() < length) {
+        const int n = 1 + static_cast<int>(random() % max_n);
+        out.push_back({{n, static_cast<std::int64_t>(random() % static_cast<unsigned>(one + 1))}, {}});
+    }
+    for (Exchange& exchange : out) {
+        const PortResult result = model.eval_port(static_cast<int>(exchange.in[0]), exchange.in[1]);
+        exchange.out = {result.y, result.clamped ? 1 : 0};
+    }
+    return out;
+}
+
+PricedUnit lobe_unit_of(const std::string& name, const GoldenModel& model, const Architecture& architecture,
+                        Design design) {
+    PricedUnit out;
+    out.point.lobe = name;
+    out.point.profile = model.profile().argument();
+    out.point.architecture = architecture.name;
+    out.unit = lobe_unit(module_of(design), model.profile(), tag_w);
+    for (const auto& [parameter, value] : architecture.parameters) {
+        out.unit.parameters += fmt::format(", .{}({})", parameter, value);
+    }
+    out.design = std::move(design);
+    out.burst = lobe_burst(model);
+    return out;
+}
+
+std::vector<PricedUnit> lobes_of(const Options& options, const std::string& lobes) {
+    std::vector<PricedUnit> out;
+    const std::vector<LobeChoice> choices = io::split_lobes(lobes);
+    check_architectures(choices, options.architecture);
+    for (const LobeChoice& choice : choices) {
+        const Lobe& lobe = *choice.lobe;
+        const std::string name = std::string(lobe.name) + (choice.options.empty() ? "" : ":" + choice.options);
+        for (const std::string& text : io::split_profiles(options.profile)) {
+            const Profile profile = choice.profile(text);
+            const std::unique_ptr<GoldenModel> model = lobe.golden(profile);
+            for (const Architecture& architecture : architectures(lobe, options.architecture)) {
+                Architecture parameters = architecture;
+                if (architecture == default_architecture(lobe)) parameters.parameters.clear();  // the wrapper's own
+                out.push_back(lobe_unit_of(name, *model, parameters, design_of(lobe.emit(profile, architecture))));
+            }
+        }
+    }
+    return out;
+}
+
+std::vector<PricedUnit> tables(const Options& options) {
+    std::vector<PricedUnit> out;
+    for (const std::string& text : io::split_profiles(options.profile)) {
+        const Profile profile = parse_profile(text);
+        if (!profile.shipped())
+            throw Error(fmt::format("profile '{}' is not legal for {}: p8, p12 or p16", text, rival));
+        const TableFormat format = TableFormat::best(profile);
+        const std::shared_ptr<const GoldenModel> model = table_model(profile, format);
+        out.push_back(lobe_unit_of(std::string(rival), *model, {"pipelined", {}}, table_unit(profile, format)));
+        out.back().rival = model;
+    }
+    return out;
+}
+
+// ---- effects -----------------------------------------------------------------------------------------------------
+
+/// The effects alone, lambert with blinn_phong, what the scenes of scenes/ call for (`glint render`), and all.
+constexpr std::string_view default_masks = "1,2,4,8,16,32,64,128,3,10,11,15,19,35,195,255";
+
+std::vector<int> masks(const std::string& text) {
+    const std::int64_t most = (std::int64_t{1} << shade_effects().size()) - 1;
+    std::vector<int> out;
+    for (const std::string& mask : io::split_list(text.empty() ? std::string(default_masks) : text)) {
+        out.push_back(static_cast<int>(io::parse_integer(mask, "--mask", 0, most)));
+        if (std::count(out.begin(), out.end(), out.back()) > 1) {
+            throw Error(fmt::format("--mask '{}' is not legal: each mask once", text));
+        }
+    }
+    return out;
+}
+
+/// The effect's hard cases, then random codes, legal but for one input in eight. It is longer than what shade, the unit
+/// that holds most, accepts without delivering: else the interval of one that holds too little would be 1, too.
+std::vector<Exchange> effect_burst(const Effect& effect, const EffectModel& model, std::optional<int> mask) {
+    constexpr std::size_t random_inputs = 256;
+    std::vector<Exchange> out;
+    for (const EffectCase& hard : effect.hard_cases(model)) out.push_back({hard.in, {}});
+    Random random(1);
+    for (std::size_t i = 0; i < random_inputs; ++i) {
+        const bool legal = i % 8 != 0;
+        Exchange exchange;
+        for (const EffectPort& port : model.inputs()) {
+            exchange.in.push_back(legal ? random.between(port.low, port.high)
+                                        : random.between(port.least(), port.greatest()));
+        }
+        out.push_back(std::move(exchange));
+    }
+    for (Exchange& exchange : out) {
+        std::vector<std::int64_t> in = exchange.in;
+        if (mask) in[0] &= *mask;  // the port `effects`: what is not built counts as not asked for
+        EffectResult result = model.eval_port(in);
+        exchange.out = std::move(result.values);
+        exchange.out.push_back(result.clamped ? 1 : 0);
+    }
+    return out;
+}
+
+std::vector<Port> ports(std::span<const EffectPort> of_model, std::string_view suffix) {
+    std::vector<Port> out;
+    for (const EffectPort& port : of_model) out.push_back({fmt::format("{}_{}", port.name, suffix), port.bits});
+    return out;
+}
+
+PricedUnit effect_unit(const Effect& effect, const EffectModel& model, const Design& design, const std::string& lobe,
+                       std::optional<int> mask) {
+    PricedUnit out;
+    out.point.effect = effect.name;
+    out.point.mask = mask;
+    if (effect.takes_lobe) out.point.lobe = lobe;
+    out.point.profile = model.profile().argument();
+    out.unit = stream_unit(module_of(design), ports(model.inputs(), "i"), ports(model.outputs(), "o"), tag_w);
+    if (mask) out.unit.parameters += fmt::format(", .MASK({})", *mask);
+    out.design = design;
+    out.burst = effect_burst(effect, model, mask);
+    return out;
+}
+
+std::vector<const Effect*> effects_of(const std::string& text) {
+    std::vector<const Effect*> out;
+    if (text == "all") {
+        for (const Effect& effect : effects()) out.push_back(&effect);
+        return out;
+    }
+    for (const std::string& name : io::split_list(text)) out.push_back(&find_effect(name));
+    return out;
+}
+
+std::vector<PricedUnit> effects_of(const Options& options) {
+    const std::vector<const Effect*> effects = effects_of(options.effect);
+    if (!options.architecture.empty()) throw Error("--architecture is not legal with --effect: it is of lobes");
+    if (!options.mask.empty() &&
+        std::none_of(effects.begin(), effects.end(), [](const Effect* effect) { return effect->name == "shade"; })) {
+        throw Error("--mask is not legal here: it is a parameter of the effect shade");
+    }
+    const std::vector<int> chosen = masks(options.mask);
+    std::vector<PricedUnit> out;
+    for (const Effect* effect : effects) {
+        for (const std::string& text : io::split_profiles(options.profile)) {
+            const Profile profile = parse_profile(text);
+            const std::unique_ptr<EffectModel> model = effect->golden(profile, options.lobe);
+            const Design design = design_of(effect->emit(profile, options.lobe));
+            if (effect->name != "shade") {
+                out.push_back(effect_unit(*effect, *model, design, options.lobe, std::nullopt));
+                continue;
+            }
+            for (const int mask : chosen) out.push_back(effect_unit(*effect, *model, design, options.lobe, mask));
+        }
+    }
+    return out;
+}
+
+}  // namespace
+
+std::vector<PricedUnit> priced_units(const Options& options) {
+    if (!options.effect.empty()) return effects_of(options);
+    if (!options.mask.empty()) throw Error("--mask is not legal here: it is a parameter of the effect shade");
+    std::string lobes;
+    bool with_rival = false;
+    for (const std::string& name : io::split_list(options.lobe)) {
+        if (name == rival) {
+            with_rival = true;
+        } else {
+            lobes += (lobes.empty() ? "" : ",") + name;
+        }
+    }
+    std::vector<PricedUnit> out;
+    if (!lobes.empty() || !with_rival) out = lobes_of(options, lobes);
+    if (with_rival) {
+        for (PricedUnit& unit : tables(options)) out.push_back(std::move(unit));
+    }
+    return out;
+}
+
+}  // namespace glint::fpga

@@ -1,0 +1,22 @@
+// `glint cost --grid`: the word lengths of a lobe that keep the rounding error below 1 ulp, and what they cost.
+#pragma once
+
+#include <string>
+
+namespace glint::cost {
+
+struct GridOptions {
+    std::string lobe = "bps";
+    int F = 18, O = 12;
+    std::string device = "hx8k";
+    std::string rtl = "rtl";
+    std::string cache = "build/cost-cache";
+    std::string json;  ///< merged into this file; may be empty
+    int most = 8;      ///< formats that are synthesized, beside the lobe's own
+    unsigned jobs = 1, threads = 0;
+};
+
+/// The exit status: 1 where no format will do, or a tool fails. Throws Error.
+int run_cost_grid(const GridOptions& options);
+
+}  // namespace glint::cost

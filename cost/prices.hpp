@@ -1,0 +1,64 @@
+// The files of cost/ joined: errors, prices on FPGAs, prices on a CPU.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cost/accuracy.hpp"
+#include "cost/choice.hpp"
+#include "cost/cpu_prices.hpp"
+
+namespace glint::cost {
+
+/// A price of cost/data/fpga.json: `configuration` without its error.
+struct Price {
+    Configuration configuration;
+    bool fits = true;  ///< false: too large for its device; then it has no clock, and perhaps no more than its name
+    /// What is no lobe of the registry brings its own error, at the rounded cosine: over all n, and from 8 on.
+    std::optional<double> error, error_from_8;
+};
+
+struct Prices {
+    std::vector<AccuracyRecord> accuracy;
+    std::vector<Price> fpga;
+    std::optional<CpuPrices> cpu;
+    std::string tools;  ///< "yosys 0.23, nextpnr-ice40 0.4"
+
+    const AccuracyRecord* find(const std::string& lobe, const std::string& profile) const;
+};
+
+/// accuracy.json and fpga.json of a folder, and cpu.json where it is there. Throws Error: what is missing or not legal
+/// in which file, and what writes it.
+Prices read_cost_data(const std::string& folder);
+
+/// What a comparison is about.
+struct Scope {
+    Range n{1, max_n, 1};
+    Cosine cosine = Cosine::rounded;
+    std::optional<double> asked_mhz;  ///< the clock that a configuration is run at, where it reaches it
+};
+
+/// The prices of a device, or of all for an empty name, each with its error. Left out are those that do not fit their
+/// device, and those without a known error: their lobe and profile go into `unknown`, once.
+std::vector<Configuration> join(const Prices& data, const Scope& scope, const std::string& device,
+                                std::vector<std::string>* unknown = nullptr);
+
+/// The devices that there are prices for, in the order of the file.
+std::vector<std::string> priced_devices(const Prices& data);
+
+/// Throws Error unless there are prices for the device.
+void check_device(const Prices& data, const std::string& device);
+
+/// "rounded" or "exact". Throws Error.
+Cosine parse_cosine(const std::string& text);
+
+/// "n 8 to 1000, at the rounded cosine"
+std::string to_text(const Scope& scope);
+
+/// Three significant digits.
+std::string short_number(double x);
+/// "-" for what is not known.
+std::string short_number(std::optional<double> x);
+
+}  // namespace glint::cost
