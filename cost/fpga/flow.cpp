@@ -186,8 +186,11 @@ std::string hash(std::string_view text) {
 }
 
 std::string price_hash(const std::vector<Source>& sources, const Device& device, bool dsp) {
-    const std::string script = yosys_script(sources, device, dsp);
-    return hash(fmt::format("{}{} {}", without_layout(joined(sources)), script, fmt::join(device.arguments, " ")));
+    std::vector<std::string> texts;
+    for (const Source& source : sources) texts.push_back(without_layout(source.text));
+    std::sort(texts.begin(), texts.end());
+    const std::string script = yosys_script({}, device, dsp);
+    return hash(fmt::format("{}{} {}", fmt::join(texts, " "), script, fmt::join(device.arguments, " ")));
 }
 
 Flow::Flow(fs::path cache) : cache_(fs::absolute(cache)) { io::make_folder(cache_); }

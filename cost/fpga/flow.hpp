@@ -47,8 +47,8 @@ std::vector<Source> read_sources(const std::filesystem::path& rtl, const Design&
 /// 64 bits (FNV-1a) in hexadecimal.
 std::string hash(std::string_view text);
 
-/// The hash of what decides a price, but for seeds and the versions of the tools: the sources of a design, apart from
-/// comments and layout, and what the tools are told to do with them.
+/// The hash of what decides a price, but for seeds and the versions of the tools: the texts of a design, apart from
+/// comments, layout, and the names and the order of files; and what the tools are told to do with them.
 std::string price_hash(const std::vector<Source>& sources, const Device& device, bool dsp);
 
 /// A router that takes and gives back the same wires for ever is stopped after so much processor time, many times what

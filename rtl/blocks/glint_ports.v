@@ -36,6 +36,15 @@ module glint_ports #(
     output wire             negative_o  // cos < 0
 );
 
+`ifndef SYNTHESIS
+    initial begin
+        if (LATENCY < 2) begin  // the default of a lobe's module: nobody has added up its blocks
+            $display("glint_ports: parameter LATENCY not set; use a wrapper from `glint emit`");
+            $finish;
+        end
+    end
+`endif
+
     // The clocks of each glint_divider_*; 2 R - 1 quotient bits are as many rows of radix 4 as 2 R.
     localparam ITERATIVE = QUOTIENT_W > 0 && DIVIDER == 2;
     localparam ROWS      = DIVIDER == 1 ? (QUOTIENT_W + 1) / 2 : QUOTIENT_W;

@@ -58,42 +58,34 @@ module glint_effect_cook_torrance #(
     localparam AT_Z       = AT_FACTOR - 5;    // z waits for the factor
     localparam LATENCY    = AT_Z + 8;
 
-    wire         advance;
-    wire   [6:0] clamped;
-    wire [F+1:0] nl_cut, nv_cut, nh_cut, vh_cut;
-    glint_dot #(
-        .F(F)
-    ) nl_dot (
-        .dot_i    (nl_i),
-        .dot_o    (nl_cut),
-        .clamped_o(clamped[0])
-    );
-    glint_dot #(
-        .F(F)
-    ) nv_dot (
-        .dot_i    (nv_i),
-        .dot_o    (nv_cut),
-        .clamped_o(clamped[1])
-    );
-    glint_dot #(
-        .F(F)
-    ) nh_dot (
-        .dot_i    (nh_i),
-        .dot_o    (nh_cut),
-        .clamped_o(clamped[2])
-    );
-    glint_dot #(
-        .F(F)
-    ) vh_dot (
-        .dot_i    (vh_i),
-        .dot_o    (vh_cut),
-        .clamped_o(clamped[3])
+    wire         advance, dark_1;
+    wire   [2:0] clamped;
+    wire   [F:0] nl_1, nv_1, nh_1, vh_1;  // in the clock after that of the ports
+    wire [S+5:0] level_1;
+    glint_microfacets #(
+        .F(F),
+        .S(S)
+    ) microfacets (
+        .clk_i    (clk_i),
+        .enable_i (advance),
+        .nl_i     (nl_i),
+        .nv_i     (nv_i),
+        .nh_i     (nh_i),
+        .vh_i     (vh_i),
+        .level_i  (level_i),
+        .dark_i   (~|excess_i),
+        .clamped_o(clamped[0]),
+        .nl_o     (nl_1),
+        .nv_o     (nv_1),
+        .nh_o     (nh_1),
+        .vh_o     (vh_1),
+        .level_o  (level_1),
+        .dark_o   (dark_1)
     );
 
-    // falloff is at least 1, level at most 16, excess at most 15.
-    assign clamped[4] = ~|falloff_i[O+9:O];
-    assign clamped[5] = ~level_i[S+5] & level_i[S+4] & (|level_i[S+3:0]);
-    assign clamped[6] = &excess_i[15:12] & (|excess_i[11:0]);
+    // falloff is at least 1, excess at most 15.
+    assign clamped[1] = ~|falloff_i[O+9:O];
+    assign clamped[2] = &excess_i[15:12] & (|excess_i[11:0]);
 
     glint_stream #(
         .LATENCY(LATENCY),
@@ -113,23 +105,12 @@ module glint_effect_cook_torrance #(
     );
     assign table_enable_o = advance;
 
-    // Dark where nl, nv or nh is not above 0, where their magnitudes have no meaning any more, or where nothing reflects.
-    reg   [F:0] nl_q, nv_q, nh_q, vh_q;  // 0 .. 2^F
-    reg [O+9:0] falloff_q;               // 1 .. 2^10
-    reg [S+5:0] level_q;                 // -32 .. 16
-    reg  [15:0] excess_q;                // 0 .. 15
-    reg         dark_q;
+    reg [O+9:0] falloff_q;  // 1 .. 2^10
+    reg  [15:0] excess_q;   // 0 .. 15; with 0 nothing reflects
     always @(posedge clk_i) begin
         if (advance) begin
-            nl_q      <= nl_cut[F:0];
-            nv_q      <= nv_cut[F:0];
-            nh_q      <= nh_cut[F:0];
-            vh_q      <= vh_cut[F:0] & {(F + 1) {~vh_cut[F+1]}};
-            falloff_q <= {falloff_i[O+9:O+1], falloff_i[O] | clamped[4], falloff_i[O-1:0] & {O{~clamped[4]}}};
-            level_q   <= {level_i[S+5:S+4], level_i[S+3:0] & {(S + 4) {~clamped[5]}}};
-            excess_q  <= {excess_i[15:12], excess_i[11:0] & {12{~clamped[6]}}};
-            dark_q    <= nl_cut[F+1] | ~|nl_cut[F:0] | nv_cut[F+1] | ~|nv_cut[F:0] | nh_cut[F+1] | ~|nh_cut[F:0] |
-                         ~|excess_i;
+            falloff_q <= {falloff_i[O+9:O+1], falloff_i[O] | clamped[1], falloff_i[O-1:0] & {O{~clamped[1]}}};
+            excess_q  <= {excess_i[15:12], excess_i[11:0] & {12{~clamped[2]}}};
         end
     end
 
@@ -148,7 +129,7 @@ module glint_effect_cook_torrance #(
     wire    [W:0] s = nh_rest[2*F:2*F-W];
     always @(posedge clk_i) begin
         if (advance) begin
-            nh_square_q <= {{F{1'b0}}, nh_q} * {{F{1'b0}}, nh_q};
+            nh_square_q <= {{F{1'b0}}, nh_1} * {{F{1'b0}}, nh_1};
             falloff_1_q <= falloff_q;
 
             s_q         <= s;
@@ -194,7 +175,7 @@ module glint_effect_cook_torrance #(
     wire  [R+2:0] root;
     always @(posedge clk_i) begin
         if (advance) begin
-            vh_square_q   <= {{F{1'b0}}, vh_q} * {{F{1'b0}}, vh_q};
+            vh_square_q   <= {{F{1'b0}}, vh_1} * {{F{1'b0}}, vh_1};
             excess_late_q <= excess_q;
             radicand_q    <= {2'b00, excess_late_q, {(2 * R - 12) {1'b0}}} +
                              {5'd0, vh_square_q, {(2 * R - 2 * F) {1'b0}}};
@@ -237,7 +218,7 @@ module glint_effect_cook_torrance #(
     ) delay_vh (
         .clk_i   (clk_i),
         .enable_i(advance),
-        .data_i  (vh_q),
+        .data_i  (vh_1),
         .data_o  (vh)
     );
 
@@ -321,10 +302,10 @@ module glint_effect_cook_torrance #(
     ) attenuation (
         .clk_i    (clk_i),
         .enable_i (advance),
-        .nl_i     (nl_q),
-        .nv_i     (nv_q),
-        .nh_i     (nh_q),
-        .vh_i     (vh_q),
+        .nl_i     (nl_1),
+        .nv_i     (nv_1),
+        .nh_i     (nh_1),
+        .vh_i     (vh_1),
         .address_o({log2_vh_address_o, log2_nh_address_o, log2_nv_address_o, log2_nl_address_o}),
         .entry_i  ({log2_vh_entry_i, log2_nh_entry_i, log2_nv_entry_i, log2_nl_entry_i}),
         .uh_o     (uh),
@@ -338,7 +319,7 @@ module glint_effect_cook_torrance #(
     ) delay_level (
         .clk_i   (clk_i),
         .enable_i(advance),
-        .data_i  (level_q),
+        .data_i  (level_1),
         .data_o  (level)
     );
 
@@ -403,7 +384,7 @@ module glint_effect_cook_torrance #(
     ) delay_dark_product (
         .clk_i   (clk_i),
         .enable_i(advance),
-        .data_i  (dark_q),
+        .data_i  (dark_1),
         .data_o  (dark_at_product)
     );
     glint_delay #(

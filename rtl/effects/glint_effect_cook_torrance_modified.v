@@ -55,41 +55,33 @@ module glint_effect_cook_torrance_modified #(
     localparam AT_Z           = AT_ATTENUATION + 2;  // 1 sum, 1 round
     localparam LATENCY        = AT_Z + 8;
 
-    wire         advance;
-    wire   [5:0] clamped;
-    wire [F+1:0] nl_cut, nv_cut, nh_cut, vh_cut;
-    glint_dot #(
-        .F(F)
-    ) nl_dot (
-        .dot_i    (nl_i),
-        .dot_o    (nl_cut),
-        .clamped_o(clamped[0])
-    );
-    glint_dot #(
-        .F(F)
-    ) nv_dot (
-        .dot_i    (nv_i),
-        .dot_o    (nv_cut),
-        .clamped_o(clamped[1])
-    );
-    glint_dot #(
-        .F(F)
-    ) nh_dot (
-        .dot_i    (nh_i),
-        .dot_o    (nh_cut),
-        .clamped_o(clamped[2])
-    );
-    glint_dot #(
-        .F(F)
-    ) vh_dot (
-        .dot_i    (vh_i),
-        .dot_o    (vh_cut),
-        .clamped_o(clamped[3])
+    wire         advance, dark_1;
+    wire   [1:0] clamped;
+    wire   [F:0] nl_1, nv_1, nh_1, vh_1;  // in the clock after that of the ports
+    wire [S+5:0] level_1;
+    glint_microfacets #(
+        .F(F),
+        .S(S)
+    ) microfacets (
+        .clk_i    (clk_i),
+        .enable_i (advance),
+        .nl_i     (nl_i),
+        .nv_i     (nv_i),
+        .nh_i     (nh_i),
+        .vh_i     (vh_i),
+        .level_i  (level_i),
+        .dark_i   (1'b0),
+        .clamped_o(clamped[0]),
+        .nl_o     (nl_1),
+        .nv_o     (nv_1),
+        .nh_o     (nh_1),
+        .vh_o     (vh_1),
+        .level_o  (level_1),
+        .dark_o   (dark_1)
     );
 
-    // level is at most 16, stretch at least 1.
-    assign clamped[4] = ~level_i[S+5] & level_i[S+4] & (|level_i[S+3:0]);
-    assign clamped[5] = ~|stretch_i[17:8];
+    // stretch is at least 1.
+    assign clamped[1] = ~|stretch_i[17:8];
 
     glint_stream #(
         .LATENCY(LATENCY),
@@ -109,21 +101,9 @@ module glint_effect_cook_torrance_modified #(
     );
     assign table_enable_o = advance;
 
-    // Dark where nl, nv or nh is not above 0, where their magnitudes have no meaning any more.
-    reg   [F:0] nl_q, nv_q, nh_q, vh_q;  // 0 .. 2^F
-    reg [S+5:0] level_q;                 // -32 .. 16
-    reg  [17:0] stretch_q;               // 1 .. 2^10
-    reg         dark_q;
+    reg [17:0] stretch_q;  // 1 .. 2^10
     always @(posedge clk_i) begin
-        if (advance) begin
-            nl_q      <= nl_cut[F:0];
-            nv_q      <= nv_cut[F:0];
-            nh_q      <= nh_cut[F:0];
-            vh_q      <= vh_cut[F:0] & {(F + 1) {~vh_cut[F+1]}};
-            level_q   <= {level_i[S+5:S+4], level_i[S+3:0] & {(S + 4) {~clamped[4]}}};
-            stretch_q <= {stretch_i[17:9], stretch_i[8] | clamped[5], stretch_i[7:0] & {8{~clamped[5]}}};
-            dark_q    <= nl_cut[F+1] | ~|nl_cut[F:0] | nv_cut[F+1] | ~|nv_cut[F:0] | nh_cut[F+1] | ~|nh_cut[F:0];
-        end
+        if (advance) stretch_q <= {stretch_i[17:9], stretch_i[8] | clamped[1], stretch_i[7:0] & {8{~clamped[1]}}};
     end
 
     // ---- The cubic ----------------------------------------------------------------------------------------------------
@@ -206,7 +186,7 @@ module glint_effect_cook_torrance_modified #(
     wire above = ~h3_q[K+5] & (|h3_q[K+4:K+1]);
     always @(posedge clk_i) begin
         if (advance) begin
-            distance_q     <= ONE_F - nh_q;
+            distance_q     <= ONE_F - nh_1;
             stretch_late_q <= stretch_q;
             product_x_q    <= {18'd0, distance_q} * {{(F + 1) {1'b0}}, stretch_late_q};
 
@@ -245,10 +225,10 @@ module glint_effect_cook_torrance_modified #(
     ) attenuation (
         .clk_i    (clk_i),
         .enable_i (advance),
-        .nl_i     (nl_q),
-        .nv_i     (nv_q),
-        .nh_i     (nh_q),
-        .vh_i     (vh_q),
+        .nl_i     (nl_1),
+        .nv_i     (nv_1),
+        .nh_i     (nh_1),
+        .vh_i     (vh_1),
         .address_o({log2_vh_address_o, log2_nh_address_o, log2_nv_address_o, log2_nl_address_o}),
         .entry_i  ({log2_vh_entry_i, log2_nh_entry_i, log2_nv_entry_i, log2_nl_entry_i}),
         .uh_o     (),
@@ -263,7 +243,7 @@ module glint_effect_cook_torrance_modified #(
     ) delay_level (
         .clk_i   (clk_i),
         .enable_i(advance),
-        .data_i  (level_q),
+        .data_i  (level_1),
         .data_o  (level)
     );
 
@@ -288,7 +268,7 @@ module glint_effect_cook_torrance_modified #(
     ) delay_dark_x (
         .clk_i   (clk_i),
         .enable_i(advance),
-        .data_i  (dark_q),
+        .data_i  (dark_1),
         .data_o  (dark_at_x)
     );
     glint_delay #(

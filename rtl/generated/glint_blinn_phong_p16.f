@@ -6,4 +6,6 @@ $(GLINT_RTL)/blocks/glint_parabola.v
 $(GLINT_RTL)/blocks/glint_log2.v
 $(GLINT_RTL)/blocks/glint_exp2.v
 $(GLINT_RTL)/lobes/glint_blinn_phong.v
+$(GLINT_RTL)/generated/glint_table_log2_64_29.v
+$(GLINT_RTL)/generated/glint_table_exp2_16_21.v
 $(GLINT_RTL)/generated/glint_blinn_phong_p16.v

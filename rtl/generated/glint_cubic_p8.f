@@ -3,4 +3,5 @@ $(GLINT_RTL)/blocks/glint_delay.v
 $(GLINT_RTL)/blocks/glint_ports.v
 $(GLINT_RTL)/blocks/glint_multiplier.v
 $(GLINT_RTL)/lobes/glint_cubic.v
+$(GLINT_RTL)/generated/glint_table_cubic_16_14.v
 $(GLINT_RTL)/generated/glint_cubic_p8.v

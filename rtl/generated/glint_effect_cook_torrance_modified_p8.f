@@ -7,5 +7,8 @@ $(GLINT_RTL)/blocks/glint_log2.v
 $(GLINT_RTL)/blocks/glint_attenuation.v
 $(GLINT_RTL)/blocks/glint_scaled_power.v
 $(GLINT_RTL)/blocks/glint_dot.v
+$(GLINT_RTL)/blocks/glint_microfacets.v
 $(GLINT_RTL)/effects/glint_effect_cook_torrance_modified.v
+$(GLINT_RTL)/generated/glint_table_log2_16_17.v
+$(GLINT_RTL)/generated/glint_table_exp2_4_13.v
 $(GLINT_RTL)/generated/glint_effect_cook_torrance_modified_p8.v

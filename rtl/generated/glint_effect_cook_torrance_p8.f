@@ -12,7 +12,10 @@ $(GLINT_RTL)/blocks/glint_square.v
 $(GLINT_RTL)/blocks/glint_parabola.v
 $(GLINT_RTL)/blocks/glint_scaled_power.v
 $(GLINT_RTL)/blocks/glint_dot.v
+$(GLINT_RTL)/blocks/glint_microfacets.v
 $(GLINT_RTL)/blocks/glint_log2.v
 $(GLINT_RTL)/blocks/glint_attenuation.v
 $(GLINT_RTL)/effects/glint_effect_cook_torrance.v
+$(GLINT_RTL)/generated/glint_table_log2_16_17.v
+$(GLINT_RTL)/generated/glint_table_exp2_4_13.v
 $(GLINT_RTL)/generated/glint_effect_cook_torrance_p8.v

@@ -24,10 +24,13 @@ $(GLINT_RTL)/blocks/glint_parabola.v
 $(GLINT_RTL)/blocks/glint_exp2.v
 $(GLINT_RTL)/blocks/glint_log2.v
 $(GLINT_RTL)/effects/glint_effect_ward.v
+$(GLINT_RTL)/generated/glint_table_log2_16_17.v
+$(GLINT_RTL)/generated/glint_table_exp2_4_13.v
 $(GLINT_RTL)/generated/glint_effect_ward_p8.v
 $(GLINT_RTL)/blocks/glint_sqrt.v
 $(GLINT_RTL)/blocks/glint_square.v
 $(GLINT_RTL)/blocks/glint_scaled_power.v
+$(GLINT_RTL)/blocks/glint_microfacets.v
 $(GLINT_RTL)/blocks/glint_attenuation.v
 $(GLINT_RTL)/effects/glint_effect_cook_torrance.v
 $(GLINT_RTL)/generated/glint_effect_cook_torrance_p8.v

@@ -12,4 +12,6 @@ $(GLINT_RTL)/blocks/glint_exp2.v
 $(GLINT_RTL)/blocks/glint_dot.v
 $(GLINT_RTL)/blocks/glint_log2.v
 $(GLINT_RTL)/effects/glint_effect_ward.v
+$(GLINT_RTL)/generated/glint_table_log2_16_19.v
+$(GLINT_RTL)/generated/glint_table_exp2_8_17.v
 $(GLINT_RTL)/generated/glint_effect_ward_p12.v

@@ -12,4 +12,6 @@ $(GLINT_RTL)/blocks/glint_exp2.v
 $(GLINT_RTL)/blocks/glint_dot.v
 $(GLINT_RTL)/blocks/glint_log2.v
 $(GLINT_RTL)/effects/glint_effect_ward.v
+$(GLINT_RTL)/generated/glint_table_log2_32_21.v
+$(GLINT_RTL)/generated/glint_table_exp2_16_21.v
 $(GLINT_RTL)/generated/glint_effect_ward_p16.v

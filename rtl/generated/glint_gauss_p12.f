@@ -5,4 +5,6 @@ $(GLINT_RTL)/blocks/glint_multiplier.v
 $(GLINT_RTL)/blocks/glint_parabola.v
 $(GLINT_RTL)/blocks/glint_exp2.v
 $(GLINT_RTL)/lobes/glint_gauss.v
+$(GLINT_RTL)/generated/glint_table_half_square_angle_32_26.v
+$(GLINT_RTL)/generated/glint_table_exp2_8_17.v
 $(GLINT_RTL)/generated/glint_gauss_p12.v

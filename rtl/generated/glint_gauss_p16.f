@@ -5,4 +5,6 @@ $(GLINT_RTL)/blocks/glint_multiplier.v
 $(GLINT_RTL)/blocks/glint_parabola.v
 $(GLINT_RTL)/blocks/glint_exp2.v
 $(GLINT_RTL)/lobes/glint_gauss.v
+$(GLINT_RTL)/generated/glint_table_half_square_angle_64_30.v
+$(GLINT_RTL)/generated/glint_table_exp2_16_21.v
 $(GLINT_RTL)/generated/glint_gauss_p16.v

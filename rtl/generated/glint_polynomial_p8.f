@@ -9,6 +9,5 @@ $(GLINT_RTL)/blocks/glint_divider_reciprocal.v
 $(GLINT_RTL)/blocks/glint_divider.v
 $(GLINT_RTL)/blocks/glint_ratio.v
 $(GLINT_RTL)/blocks/glint_horner.v
-$(GLINT_RTL)/blocks/glint_ratio_symmetric.v
 $(GLINT_RTL)/lobes/glint_polynomial.v
 $(GLINT_RTL)/generated/glint_polynomial_p8.v

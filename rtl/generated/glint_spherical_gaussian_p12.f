@@ -5,4 +5,5 @@ $(GLINT_RTL)/blocks/glint_multiplier.v
 $(GLINT_RTL)/blocks/glint_parabola.v
 $(GLINT_RTL)/blocks/glint_exp2.v
 $(GLINT_RTL)/lobes/glint_spherical_gaussian.v
+$(GLINT_RTL)/generated/glint_table_exp2_8_17.v
 $(GLINT_RTL)/generated/glint_spherical_gaussian_p12.v

@@ -15,6 +15,8 @@ module glint_bps #(
     parameter DIVIDER           = 0,  // 0 restoring, 1 radix4, 2 iterative, 3 reciprocal
     parameter REGISTER_EVERY    = 1,  // rows of the divider in a clock
     parameter MULTIPLIER_STAGES = 1,  // clocks of a product
+    parameter LATENCY           = 0,  // clocks without those of the divider, and products: what the blocks on the way
+    parameter PRODUCTS          = 0,  // add up to, from `glint emit`
     // The constants of f_bps at K fraction bits. The widths below rest on their values, so no others are legal.
     parameter signed [K+2:0] A  = 0,
     parameter signed [K+2:0] B  = 0,
@@ -50,8 +52,8 @@ module glint_bps #(
     wire [F:0] cosine, distance;
     glint_ports #(
         .F                (F),
-        .LATENCY          (9),
-        .PRODUCTS         (4),
+        .LATENCY          (LATENCY),
+        .PRODUCTS         (PRODUCTS),
         .QUOTIENT_W       (S + 1),
         .DIVIDER          (DIVIDER),
         .REGISTER_EVERY   (REGISTER_EVERY),

@@ -13,6 +13,8 @@ module glint_cayley #(
     parameter DIVIDER           = 0,  // 0 restoring, 1 radix4, 2 iterative, 3 reciprocal
     parameter REGISTER_EVERY    = 1,  // rows of the divider in a clock
     parameter MULTIPLIER_STAGES = 1,  // clocks of a product
+    parameter LATENCY           = 0,  // clocks without those of the divider, and products: what the blocks on the way
+    parameter PRODUCTS          = 0,  // add up to, from `glint emit`
     parameter TAG_W = 16   // width of the tag, at least 1
 ) (
     input  wire             clk_i,
@@ -39,8 +41,8 @@ module glint_cayley #(
     wire [F:0] cosine, distance;
     glint_ports #(
         .F                (F),
-        .LATENCY          (2 * SQUARES + 6),
-        .PRODUCTS         (SQUARES + 2),
+        .LATENCY          (LATENCY),
+        .PRODUCTS         (PRODUCTS),
         .QUOTIENT_W       (S + 1),
         .DIVIDER          (DIVIDER),
         .REGISTER_EVERY   (REGISTER_EVERY),

@@ -11,6 +11,8 @@ module glint_cosine_power #(
     parameter S      = 16,  // fraction bits of the powers; O <= S <= F + LOG2_A
     parameter O      = 12,  // fraction bits of the output
     parameter MULTIPLIER_STAGES = 1,  // clocks of a product
+    parameter LATENCY           = 0,  // clocks without those of the divider, and products: what the blocks on the way
+    parameter PRODUCTS          = 0,  // add up to, from `glint emit`
     parameter TAG_W  = 16   // width of the tag, at least 1
 ) (
     input  wire             clk_i,
@@ -34,8 +36,8 @@ module glint_cosine_power #(
     /* verilator lint_off PINCONNECTEMPTY */  // the cosine itself is not needed
     glint_ports #(
         .F                (F),
-        .LATENCY          (2 * LOG2_A + 3),
-        .PRODUCTS         (LOG2_A + 1),
+        .LATENCY          (LATENCY),
+        .PRODUCTS         (PRODUCTS),
         .MULTIPLIER_STAGES(MULTIPLIER_STAGES),
         .TAG_W            (TAG_W)
     ) ports (

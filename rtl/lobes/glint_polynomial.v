@@ -18,6 +18,8 @@ module glint_polynomial #(
     parameter DIVIDER           = 0,  // 0 restoring, 1 radix4, 2 iterative, 3 reciprocal
     parameter REGISTER_EVERY    = 1,  // rows of the divider in a clock
     parameter MULTIPLIER_STAGES = 1,  // clocks of a product
+    parameter LATENCY           = 0,  // clocks without those of the divider, and products: what the blocks on the way
+    parameter PRODUCTS          = 0,  // add up to, from `glint emit`
     // The coefficients at K fraction bits, signed, K + I + 1 bits each, that of the power i in field i.
     parameter [(DEGREE+1)*(K+I+1)-1:0] COEFFICIENTS = 0
 ) (
@@ -50,8 +52,8 @@ module glint_polynomial #(
     wire [F:0] cosine, distance;
     glint_ports #(
         .F                (F),
-        .LATENCY          (3 + 2 * DEGREE),
-        .PRODUCTS         (1 + DEGREE),
+        .LATENCY          (LATENCY),
+        .PRODUCTS         (PRODUCTS),
         .QUOTIENT_W       (S + 1),
         .DIVIDER          (DIVIDER),
         .REGISTER_EVERY   (REGISTER_EVERY),
@@ -79,43 +81,23 @@ module glint_polynomial #(
 
     wire       done;
     wire [S:0] quotient;
-    generate
-        if (VARIABLE == 0) begin : schlick
-            glint_ratio #(
-                .F                (F),
-                .S                (S),
-                .DIVIDER          (DIVIDER),
-                .REGISTER_EVERY   (REGISTER_EVERY),
-                .MULTIPLIER_STAGES(MULTIPLIER_STAGES)
-            ) ratio (
-                .clk_i     (clk_i),
-                .enable_i  (advance),
-                .start_i   (start),
-                .n_i       (n),
-                .cosine_i  (cosine),
-                .distance_i(distance),
-                .done_o    (done),
-                .quotient_o(quotient)
-            );
-        end else begin : symmetric
-            glint_ratio_symmetric #(
-                .F                (F),
-                .S                (S),
-                .DIVIDER          (DIVIDER),
-                .REGISTER_EVERY   (REGISTER_EVERY),
-                .MULTIPLIER_STAGES(MULTIPLIER_STAGES)
-            ) ratio (
-                .clk_i     (clk_i),
-                .enable_i  (advance),
-                .start_i   (start),
-                .n_i       (n),
-                .cosine_i  (cosine),
-                .distance_i(distance),
-                .done_o    (done),
-                .quotient_o(quotient)
-            );
-        end
-    endgenerate
+    glint_ratio #(
+        .F                (F),
+        .S                (S),
+        .SYMMETRIC        (VARIABLE),
+        .DIVIDER          (DIVIDER),
+        .REGISTER_EVERY   (REGISTER_EVERY),
+        .MULTIPLIER_STAGES(MULTIPLIER_STAGES)
+    ) ratio (
+        .clk_i     (clk_i),
+        .enable_i  (advance),
+        .start_i   (start),
+        .n_i       (n),
+        .cosine_i  (cosine),
+        .distance_i(distance),
+        .done_o    (done),
+        .quotient_o(quotient)
+    );
 
     // I is such that each Horner value, and the last sum with the half that rounds it, is below 2^I in magnitude: the
     // model shows it for these coefficients.

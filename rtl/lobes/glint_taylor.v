@@ -12,6 +12,8 @@ module glint_taylor #(
     parameter S     = 18,  // fraction bits of the base and its powers, O .. 30
     parameter O     = 12,  // fraction bits of the output
     parameter MULTIPLIER_STAGES = 1,  // clocks of a product
+    parameter LATENCY           = 0,  // clocks without those of the divider, and products: what the blocks on the way
+    parameter PRODUCTS          = 0,  // add up to, from `glint emit`
     parameter TAG_W = 16   // width of the tag, at least 1
 ) (
     input  wire             clk_i,
@@ -39,8 +41,8 @@ module glint_taylor #(
     /* verilator lint_off PINCONNECTEMPTY */
     glint_ports #(
         .F                (F),
-        .LATENCY          (2 * SQUARES + 10),
-        .PRODUCTS         (SQUARES + 4),
+        .LATENCY          (LATENCY),
+        .PRODUCTS         (PRODUCTS),
         .MULTIPLIER_STAGES(MULTIPLIER_STAGES),
         .TAG_W            (TAG_W)
     ) ports (

@@ -45,7 +45,7 @@ bool signed_bits(std::int64_t x, int bits) {
     return x >= -(std::int64_t{1} << (bits - 1)) && x < std::int64_t{1} << (bits - 1);
 }
 
-/// The widths that rtl/lobes/glint_polynomial.v, rtl/blocks/glint_ratio_symmetric.v and hls/glint_polynomial.hpp declare, I = 2.
+/// The widths that rtl/lobes/glint_polynomial.v, rtl/blocks/glint_ratio.v and hls/glint_polynomial.hpp declare, I = 2.
 bool fits(const Format& f, const Plain& x) {
     const int h = f.K + 3, sum = h + f.S;
     return unsigned_bits(x.numerator, f.F + 2) && unsigned_bits(x.scaled, f.F + 10) && unsigned_bits(x.D, f.F + 11) &&

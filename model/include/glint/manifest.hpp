@@ -74,8 +74,4 @@ std::string file_list(const HardwareUnit& unit, const FileRoots& roots);
 /// The files of a module that units share, and of all that it contains.
 std::vector<HardwareUnit::File> module_files(std::string_view module);
 
-/// The units whose wrappers are committed: all lobes and effects at the shipped profiles, effects made of a lobe with
-/// the first lobe, AXI4-Stream units at p12.
-std::vector<HardwareUnit> committed_units();
-
 }  // namespace glint
