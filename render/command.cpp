@@ -15,6 +15,7 @@
 #include "io/command.hpp"
 #include "models.hpp"
 #include "rtl_unit.hpp"
+#include "text.hpp"
 
 namespace glint::cli {
 namespace {
@@ -212,11 +213,29 @@ std::filesystem::path beside(const std::filesystem::path& output, const std::str
     return out;
 }
 
+/// Throws Error where --json would write over a picture or the scene.
+void check_apart(const Options& options) {
+    if (options.json.empty()) return;
+    std::vector<std::filesystem::path> others{options.scene, options.output};
+    if (options.compare) {
+        others = {options.scene};
+        for (const char* part : {"float", "fixed", "rtl", "difference"}) others.push_back(beside(options.output, part));
+    }
+    const auto place = [](const std::filesystem::path& file) {
+        std::error_code unknown;
+        return std::filesystem::weakly_canonical(std::filesystem::absolute(file, unknown), unknown);
+    };
+    for (const std::filesystem::path& other : others) {
+        if (place(options.json) != place(other)) continue;
+        throw Error(fmt::format("--json '{}' is not legal: it is the scene or the picture", options.json));
+    }
+}
+
 int run_render(const Options& options, const std::string& command) {
     if (options.engine != "float" && options.engine != "fixed" && options.engine != "rtl") {
         throw Error(fmt::format("--engine '{}' is not legal: float, fixed, rtl", options.engine));
     }
-    if (std::filesystem::path(options.output).extension() != ".png") {
+    if (lower(std::filesystem::path(options.output).extension().string()) != ".png") {
         throw Error(fmt::format("-o '{}' is not legal: a file NAME.png", options.output));
     }
     if (!options.against.empty() && !options.compare) throw Error("--against is not legal without --compare");
@@ -228,6 +247,7 @@ int run_render(const Options& options, const std::string& command) {
     if (!options.against_model.empty() && find_model(options.against_model) == nullptr) {
         throw Error(fmt::format("--against-model '{}' is not known: {}", options.against_model, known_models()));
     }
+    check_apart(options);
     io::check_writable(options.output);
     io::check_writable(options.json);
 
@@ -246,6 +266,7 @@ int run_render(const Options& options, const std::string& command) {
     job.fragments = cast_rays(job.scene, job.size.width * job.side, job.size.height * job.side, job.threads,
                               io::progress_bar("rays"));
     const double ray_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    if (job.fragments.empty()) fmt::print(stderr, "glint: warning: nothing is in the picture (0 fragments)\n");
     const Plan plan = make_plan(job.scene, job.fragments, options.lobe, options.all_effects);
     const std::string obstacle = rtl_obstacle(plan, job.profile);
     if (options.engine == "rtl" && !obstacle.empty()) throw Error(obstacle);

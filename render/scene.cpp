@@ -2,12 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <limits>
 #include <map>
 #include <numbers>
 #include <set>
-#include <sstream>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -15,6 +13,7 @@
 #include "glint/error.hpp"
 #include "glint/lobes.hpp"
 #include "models.hpp"
+#include "text.hpp"
 #include "wavefront.hpp"
 
 namespace glint::render {
@@ -23,7 +22,8 @@ namespace {
 using Json = nlohmann::json;
 
 constexpr double below_16 = 15.999;  // what the ports of a light's colour carry
-constexpr double far_away = 1e6;
+constexpr double most_intense = 1e6;
+constexpr double farthest = 1e12;  // what an OBJ file may hold
 
 /// A part of the scene file with its name for messages, such as "still_life.json: lights[2]".
 class Part {
@@ -36,7 +36,7 @@ public:
         if (!json.is_object()) throw Error(fmt::format("{} is not legal: an object with {}", where_, list));
         for (const auto& item : json.items()) {
             if (!legal.contains(item.key())) {
-                throw Error(fmt::format("{}: key '{}' is not known: {}", where_, item.key(), list));
+                throw Error(fmt::format("{}: key '{}' is not known: {}", where_, printable(item.key()), list));
             }
         }
     }
@@ -47,7 +47,9 @@ public:
 
     std::string text(const std::string& key) const {
         if (!at(key).is_string()) refuse(key, "a text");
-        return at(key).get<std::string>();
+        const auto& text = at(key).get_ref<const std::string&>();
+        if (text.find('\0') != text.npos) refuse(key, "a text without the character 0");
+        return text;
     }
     double number(const std::string& key, double otherwise, double low, double high) const {
         return has(key) ? number(at(key), key, low, high) : otherwise;
@@ -59,7 +61,7 @@ public:
         return {number(value[0], key, low, high), number(value[1], key, low, high), number(value[2], key, low, high)};
     }
     [[noreturn]] void refuse(const std::string& key, const std::string& legal) const {
-        throw Error(fmt::format("{}: {} {} is not legal: {}", where_, key, at(key).dump(), legal));
+        throw Error(fmt::format("{}: {} {} is not legal: {}", where_, key, printable(at(key).dump()), legal));
     }
 
 private:
@@ -116,6 +118,12 @@ Camera look_at(const Vec3& eye, const Vec3& target, const Vec3& up, double degre
     return out;
 }
 
+/// Makes a box hold a point.
+void extend(Vec3& low, Vec3& high, const Vec3& p) {
+    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+}
+
 /// From the front, a little from the right and from above, as near as the whole model is in the picture, with a margin.
 Camera framing(const std::vector<Triangle>& triangles, double aspect) {
     constexpr double degrees = 35.0;
@@ -124,9 +132,7 @@ Camera framing(const std::vector<Triangle>& triangles, double aspect) {
     Vec3 high = low;
     for (const Triangle& triangle : triangles) {
         for (const Corner& corner : triangle.corners) {
-            const Vec3& p = corner.position;
-            low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-            high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+            extend(low, high, corner.position);
         }
     }
     const Vec3 centre = 0.5 * (low + high);
@@ -159,14 +165,14 @@ Light read_light(const Json& json, const std::string& where) {
     }
     Light out;
     out.directional = part.has("direction");
-    out.place = part.vector(out.directional ? "direction" : "position", {}, -far_away, far_away);
+    out.place = part.vector(out.directional ? "direction" : "position", {}, -farthest, farthest);
     if (out.directional) {
         out.place = direction(-out.place);  // the file says where the light goes
         if (out.place == Vec3{}) part.refuse("direction", "a direction other than 0 0 0");
     }
-    const double intensity = part.number("intensity", 1.0, 0.0, far_away);
+    const double intensity = part.number("intensity", 1.0, 0.0, most_intense);
     out.colour = intensity * part.vector("colour", {1, 1, 1}, 0.0, below_16);
-    out.attenuation = part.vector("attenuation", {1, 0, 0}, 0.0, far_away);
+    out.attenuation = part.vector("attenuation", {1, 0, 0}, 0.0, most_intense);
     if (out.attenuation == Vec3{}) part.refuse("attenuation", "three numbers that are not all 0");
     if (out.directional && part.has("attenuation")) part.refuse("attenuation", "none for a light without a position");
     return out;
@@ -182,6 +188,28 @@ void read_background(Scene& scene, const Json& json, const std::string& file) {
     const Part part(json, file + ": background", {"bottom", "top"});
     scene.background_top = part.vector("top", {}, 0.0, 1.0);
     scene.background_bottom = part.vector("bottom", {}, 0.0, 1.0);
+}
+
+/// Moves the scene so that its middle is near 0, by whole multiples of a power of two about as large as the scene: what
+/// comes after in single precision keeps its digits, and a scene around 0 stays as it is.
+void move_to_middle(Scene& scene) {
+    Vec3 low = scene.triangles.front().corners.front().position;
+    Vec3 high = low;
+    for (const Triangle& triangle : scene.triangles) {
+        for (const Corner& corner : triangle.corners) extend(low, high, corner.position);
+    }
+    const Vec3 extent = high - low;
+    const double step = std::ldexp(1.0, 2 + std::ilogb(std::max({extent.x, extent.y, extent.z})));
+    const auto whole = [&](double a, double b) { return step * std::round((0.5 * a + 0.5 * b) / step); };
+    const Vec3 middle{whole(low.x, high.x), whole(low.y, high.y), whole(low.z, high.z)};
+    if (middle == Vec3{}) return;
+    for (Triangle& triangle : scene.triangles) {
+        for (Corner& corner : triangle.corners) corner.position = corner.position - middle;
+    }
+    for (Light& light : scene.lights) {
+        if (!light.directional) light.place = light.place - middle;
+    }
+    scene.camera.eye = scene.camera.eye - middle;
 }
 
 /// The objects of a scene file: models read once each, placed as often as they are named.
@@ -202,11 +230,11 @@ public:
         if (!part.has("file")) throw Error(fmt::format("{}: key 'file' is missing", where));
         const Loaded& loaded = load(part.text("file"));
         Placing placing;
-        placing.scale = part.number("scale", 1.0, 1e-6, far_away);
+        placing.scale = part.number("scale", 1.0, 1e-6, 1e6);
         const double turn = part.number("turn", 0.0, -360.0, 360.0) * std::numbers::pi / 180.0;
         placing.sine = std::sin(turn);
         placing.cosine = std::cos(turn);
-        placing.translate = part.vector("translate", {}, -far_away, far_away);
+        placing.translate = part.vector("translate", {}, -farthest, farthest);
         const bool whole = part.has("material");
         std::uint32_t material = 0;
         if (whole) {
@@ -258,26 +286,72 @@ private:
     std::map<std::string, Loaded> loaded_;
 };
 
-Json parse_json(const std::filesystem::path& path) {
-    std::ifstream file(path);
-    std::ostringstream text;
-    if (file) text << file.rdbuf();
-    if (!file || std::filesystem::is_directory(path)) {
-        throw Error(fmt::format("file '{}' cannot be read", path.string()));
+/// Looks through a JSON text for what cannot be read into a document: its own nesting, numbers that are no double, keys
+/// that a second value would hide.
+class Inspector final : public Json::json_sax_t {
+public:
+    explicit Inspector(std::string file) : file_(std::move(file)) {}
+
+    bool null() override { return true; }
+    bool boolean(bool) override { return true; }
+    bool number_integer(number_integer_t) override { return true; }
+    bool number_unsigned(number_unsigned_t) override { return true; }
+    bool number_float(number_float_t, const string_t&) override { return true; }
+    bool string(string_t&) override { return true; }
+    bool binary(binary_t&) override { return true; }
+    bool start_object(std::size_t) override { return open(); }
+    bool start_array(std::size_t) override { return open(); }
+    bool end_object() override { return close(); }
+    bool end_array() override { return close(); }
+    bool key(string_t& name) override {
+        levels_.back().now = name;
+        if (levels_.back().seen.insert(name).second) return true;
+        throw Error(fmt::format("{}: key '{}' is there twice", file_, printable(name)));
     }
-    try {
-        return Json::parse(text.str());
-    } catch (const Json::parse_error& error) {
-        std::string what = error.what();
-        what = what.substr(what.find("parse error"));
-        std::replace(what.begin(), what.end(), '\n', ' ');
-        throw Error(fmt::format("{} is not JSON: {}", path.string(), what));
+    bool parse_error(std::size_t, const std::string& token, const Json::exception& error) override {
+        if (dynamic_cast<const Json::out_of_range*>(&error) != nullptr) {
+            std::string path;
+            for (const Level& level : levels_) path += level.now.empty() ? "" : printable(level.now) + ' ';
+            throw Error(fmt::format("{}: {}{} is not legal: numbers up to {:g}", file_, path, printable(token),
+                                    std::numeric_limits<double>::max()));
+        }
+        const std::string_view what = error.what();
+        throw Error(fmt::format("{} is not JSON: {}", file_, printable(what.substr(what.find("parse error")), 200)));
     }
+
+private:
+    struct Level {
+        std::string now;
+        std::set<std::string> seen;
+    };
+
+    bool open() {
+        constexpr std::size_t deepest = 16;
+        if (levels_.size() == deepest) {
+            throw Error(fmt::format("{} is not legal: lists and objects are nested in more than {}", file_, deepest));
+        }
+        levels_.emplace_back();
+        return true;
+    }
+    bool close() {
+        levels_.pop_back();
+        return true;
+    }
+
+    std::string file_;
+    std::vector<Level> levels_;
+};
+
+Json parse_json(const std::string& text, const std::string& file) {
+    check_text(text, file);
+    Inspector inspector(file);
+    Json::sax_parse(text, &inspector);
+    return Json::parse(text);
 }
 
-Scene load_json(const std::filesystem::path& path, double aspect) {
+Scene load_json(const std::string& text, const std::filesystem::path& path, double aspect) {
     const std::string file = path.string();
-    const Json json = parse_json(path);
+    const Json json = parse_json(text, file);
     const Part part(json, file, {"about", "objects", "materials", "lights", "ambient", "background", "camera"});
     Scene scene;
     const Json materials = part.has("materials") ? part.at("materials") : Json::object();
@@ -297,8 +371,8 @@ Scene load_json(const std::filesystem::path& path, double aspect) {
             throw Error(fmt::format("{}: eye or target is missing", camera.where()));
         }
         scene.camera =
-            look_at(camera.vector("eye", {}, -far_away, far_away), camera.vector("target", {}, -far_away, far_away),
-                    camera.vector("up", {0, 1, 0}, -far_away, far_away), camera.number("fov", 35.0, 1.0, 150.0),
+            look_at(camera.vector("eye", {}, -farthest, farthest), camera.vector("target", {}, -farthest, farthest),
+                    camera.vector("up", {0, 1, 0}, -farthest, farthest), camera.number("fov", 35.0, 1.0, 150.0),
                     camera.where());
     } else {
         scene.camera = framing(scene.triangles, aspect);
@@ -316,14 +390,16 @@ Scene load_json(const std::filesystem::path& path, double aspect) {
         scene.lights = key_and_fill(scene.camera);
     }
     warn_of_limits(scene.materials, scene.warnings);
+    move_to_middle(scene);
     return scene;
 }
 
 }  // namespace
 
 Scene load_scene(const std::filesystem::path& path, double aspect) {
-    if (path.extension() == ".json") return load_json(path, aspect);
-    if (path.extension() != ".obj") {
+    const std::string extension = lower(path.extension().string());
+    if (extension == ".json") return load_json(read_file(path), path, aspect);
+    if (extension != ".obj") {
         throw Error(fmt::format("scene '{}' is not legal: a file NAME.json or NAME.obj", path.string()));
     }
     Scene scene;
@@ -335,6 +411,7 @@ Scene load_scene(const std::filesystem::path& path, double aspect) {
     scene.camera = framing(scene.triangles, aspect);
     scene.lights = key_and_fill(scene.camera);
     warn_of_limits(scene.materials, scene.warnings);
+    move_to_middle(scene);
     return scene;
 }
 

@@ -6,7 +6,9 @@
 #include <embree3/rtcore.h>
 #endif
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <memory>
 #include <string>
@@ -34,6 +36,14 @@ class Caster {
 public:
     explicit Caster(const std::vector<Triangle>& triangles) : device_(rtcNewDevice(nullptr)) {
         if (!device_) throw Error("Embree cannot start on this machine");
+        double size = 0.0;
+        for (const Triangle& triangle : triangles) {
+            for (const Corner& corner : triangle.corners) {
+                const Vec3& p = corner.position;
+                size = std::max({size, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+            }
+        }
+        scale_ = size > 0.0 ? std::ldexp(1.0, -std::ilogb(size)) : 1.0;
         tree_.reset(rtcNewScene(device_.get()));
         rtcSetSceneFlags(tree_.get(), RTC_SCENE_FLAG_ROBUST);  // no ray slips through between two triangles
         if (!triangles.empty()) {
@@ -47,9 +57,9 @@ public:
             std::uint32_t next = 0;
             for (const Triangle& triangle : triangles) {
                 for (const Corner& corner : triangle.corners) {
-                    *vertex++ = static_cast<float>(corner.position.x);
-                    *vertex++ = static_cast<float>(corner.position.y);
-                    *vertex++ = static_cast<float>(corner.position.z);
+                    *vertex++ = scaled(corner.position.x);
+                    *vertex++ = scaled(corner.position.y);
+                    *vertex++ = scaled(corner.position.z);
                     *index++ = next++;
                 }
             }
@@ -69,9 +79,9 @@ public:
 
     Hit operator()(const Vec3& from, const Vec3& along) const {
         RTCRayHit query{};
-        query.ray.org_x = static_cast<float>(from.x);
-        query.ray.org_y = static_cast<float>(from.y);
-        query.ray.org_z = static_cast<float>(from.z);
+        query.ray.org_x = scaled(from.x);
+        query.ray.org_y = scaled(from.y);
+        query.ray.org_z = scaled(from.z);
         query.ray.dir_x = static_cast<float>(along.x);
         query.ray.dir_y = static_cast<float>(along.y);
         query.ray.dir_z = static_cast<float>(along.z);
@@ -90,9 +100,15 @@ public:
     }
 
 private:
+    float scaled(double x) const { return static_cast<float>(scale_ * x); }
+
     Device device_;
     Tree tree_;
+    double scale_ = 1.0;  // a power of two that brings the largest coordinate to 1 .. 2: products fit single precision
 };
+
+/// N.V of a pixel that is seen, at least: small beside what a smooth sphere shows, and no 0 in any profile.
+constexpr double least_facing = 1.0 / 64.0;
 
 Vec3 between(const Vec3& a, const Vec3& b, const Vec3& c, const Caster::Hit& hit) {
     return (1.0 - hit.u - hit.v) * a + hit.u * b + hit.v * c;
@@ -115,6 +131,11 @@ Fragment fragment(const Triangle& triangle, const Caster::Hit& hit, const Vec3& 
     if (normal == Vec3{}) normal = plane;
     if (dot(plane, normal) < 0.0) plane = -plane;
     if (dot(plane, eye - position) < 0.0) normal = -normal;
+    // At the silhouette of a model of few faces the interpolated normal turns away from the viewer: bent back, as far
+    // as need be, it still has a light to answer to.
+    const Vec3 view = direction(eye - position);
+    const double facing = dot(normal, view);
+    if (facing < least_facing) normal = direction(normal + (least_facing - facing) * view);
     Fragment out;
     out.material = triangle.material;
     store(out.position, position);

@@ -14,7 +14,7 @@ struct Fragment {
     std::uint32_t pixel = 0;  ///< row * width + column
     std::uint32_t material = 0;
     float position[3] = {};
-    float normal[3] = {};  ///< unit length, on the side from which it is seen
+    float normal[3] = {};  ///< unit length, on the side from which it is seen: N.V is above 0
     float colour[3] = {};  ///< of the corners, interpolated
 };
 

@@ -3,394 +3,399 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <fstream>
-#include <sstream>
+#include <limits>
+#include <map>
+#include <set>
+#include <unordered_map>
 
 #include <fmt/format.h>
-#include <tiny_obj_loader.h>
 
 #include "glint/error.hpp"
-#include "glint/profile.hpp"
 #include "models.hpp"
+#include "polygon.hpp"
+#include "smoothing.hpp"
+#include "text.hpp"
 
 namespace glint::render {
 namespace {
 
 constexpr double largest_coordinate = 1e12;
+constexpr std::uint32_t no_name = static_cast<std::uint32_t>(-1);
+constexpr std::int64_t no_normal = -1;
+constexpr Vec3 uncoloured{std::numeric_limits<double>::quiet_NaN(), 0.0, 0.0};
 
-/// A line of the file; lines that end with a backslash go on, the number is that of the first.
-struct Line {
-    int number = 0;
-    std::string text;
-    std::string after{};  ///< lines of our own that follow
+/// What `f` says of a corner, from 0. Both may be too large: a file may name a vertex before it has it.
+struct FaceCorner {
+    std::int64_t vertex = 0;
+    std::int64_t normal = no_normal;
 };
 
-std::vector<Line> logical_lines(const std::string& text) {
-    std::vector<Line> out;
-    std::istringstream in(text);
-    std::string line;
-    bool open = false;
-    for (int number = 1; std::getline(in, line); ++number) {
-        if (!line.empty() && line.back() == '\r') line.pop_back();
-        if (!open) out.push_back({number, {}});
-        open = !line.empty() && line.back() == '\\';
-        if (open) line.back() = ' ';
-        out.back().text += line;
+struct Face {
+    int line = 0;
+    std::size_t first = 0;  ///< of its corners
+    std::size_t count = 0;
+    std::uint32_t name = no_name;  ///< of its material
+};
+
+/// How often something was seen, and where first.
+struct Seen {
+    std::size_t count = 0;
+    int line = 0;
+    void at(int where) {
+        if (count++ == 0) line = where;
     }
-    return out;
+};
+
+/// Statements that say nothing of how a face looks here.
+bool is_passed_over(std::string_view key) {
+    static const std::set<std::string_view> known{
+        "vt",       "vp",     "vw",     "g",      "o",     "s",     "mg",         "lod",      "bevel", "c_interp",
+        "d_interp", "usemap", "maplib", "cstype", "deg",   "bmat",  "step",       "parm",     "trim",  "hole",
+        "scrv",     "sp",     "end",    "con",    "stech", "ctech", "shadow_obj", "trace_obj"};
+    return known.contains(key);
 }
 
-std::vector<std::string> fields(const std::string& line) {
-    std::istringstream in(line);
-    std::vector<std::string> out;
-    for (std::string field; in >> field && field.front() != '#';) out.push_back(field);
-    return out;
+/// The name without what follows a '#' after a blank; the whole name where there is none.
+std::string before_mark(const std::string& name) {
+    const std::size_t mark = name.find(" #");
+    return std::string(trimmed(name.substr(0, mark)));
 }
 
-/// Text of a file for a message or a JSON file: one line, and in UTF-8: bytes that are none become '?'.
-std::string printable(const std::string& text) {
-    std::string out;
-    for (std::size_t i = 0; i < text.size();) {
-        const auto byte = static_cast<unsigned char>(text[i]);
-        const std::size_t length = byte < 0x80   ? 1
-                                   : byte < 0xc2 ? 0
-                                   : byte < 0xe0 ? 2
-                                   : byte < 0xf0 ? 3
-                                   : byte < 0xf5 ? 4
-                                                 : 0;
-        bool good = length != 0 && i + length <= text.size();
-        for (std::size_t k = 1; good && k < length; ++k)
-            good = (static_cast<unsigned char>(text[i + k]) & 0xc0U) == 0x80U;
-        if (!good) {
-            out += '?';
-            ++i;
-        } else {
-            out += byte < 0x20 ? std::string(1, ' ') : text.substr(i, length);
-            i += length;
-        }
-    }
-    out.erase(out.find_last_not_of(' ') + 1);
-    return out;
-}
-
-/// The fields after the key as numbers. tinyobjloader reads as 0 what it cannot read; here that is an error.
-std::vector<double> numbers(const std::vector<std::string>& line, const std::string& where) {
-    std::vector<double> out;
-    for (std::size_t i = 1; i < line.size(); ++i) {
-        std::string_view text = line[i];
-        if (text.starts_with('+')) text.remove_prefix(1);
-        double x = 0.0;
-        const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), x);
-        if (error != std::errc{} || end != text.data() + text.size() || !(std::abs(x) <= largest_coordinate)) {
-            throw Error(fmt::format("{}: '{}' is not legal: {} takes numbers from {:g} to {:g}", where,
-                                    printable(line[i]), line[0], -largest_coordinate, largest_coordinate));
-        }
-        out.push_back(x);
-    }
-    return out;
-}
-
-std::string read_text(const std::filesystem::path& path) {
-    std::ifstream file(path, std::ios::binary);
-    std::ostringstream text;
-    if (file) text << file.rdbuf();
-    if (!file || std::filesystem::is_directory(path)) {
-        throw Error(fmt::format("file '{}' cannot be read", path.string()));
-    }
-    return text.str();
-}
-
-/// A material's name may hold spaces; where a face asks for it, tinyobjloader takes the first word alone. This
-/// character stands for a space inside a name meanwhile.
-constexpr char space = '\x1f';
-
-std::string joined(std::vector<Line> lines) {
-    std::string out;
-    for (Line& line : lines) {
-        const std::vector<std::string> words = fields(line.text);
-        if (!words.empty() && (words.front() == "newmtl" || words.front() == "usemtl")) {
-            std::size_t begin = line.text.find(words.front()) + words.front().size();
-            begin = std::min(line.text.find_first_not_of(" \t", begin), line.text.size());
-            const std::size_t end = line.text.find_last_not_of(" \t") + 1;
-            line.text = words.front() + ' ' + line.text.substr(begin, std::max(begin, end) - begin);
-            std::replace(line.text.begin() + static_cast<std::ptrdiff_t>(words.front().size()) + 1, line.text.end(),
-                         ' ', space);
-        }
-        out += line.text + '\n' + line.after;
-    }
-    return out;
-}
-
-/// The text of an MTL file with what tinyobjloader does not know filled in: the defaults of `illum`, `Ni` and `Pr`, and
-/// colours of one number, which stands for all three channels.
-std::string complete_mtl(const std::string& text, const std::string& file) {
-    std::vector<Line> lines = logical_lines(text);
-    for (Line& line : lines) {
-        const std::vector<std::string> field = fields(line.text);
-        if (field.empty()) continue;
-        const std::string& key = field.front();
-        const bool colour = key == "Ka" || key == "Kd" || key == "Ks";
-        if (key == "newmtl") {
-            line.after = "illum 2\nNi 1.5\nPr 0.3\n";
-        } else if (colour || key == "Ns" || key == "Ni" || key == "Pr" || key == "aniso" || key == "illum") {
-            const std::string where = fmt::format("{}:{}", file, line.number);
-            const std::vector<double> x = numbers(field, where);
-            if (x.size() != 1 && !(colour && x.size() == 3)) {
-                throw Error(fmt::format("{}: '{}' has {} numbers, legal {} {}", where, key, x.size(),
-                                        colour ? "are" : "is", colour ? "1 or 3" : "1"));
-            }
-            if (key == "illum" && (x[0] != std::floor(x[0]) || x[0] < 0 || x[0] > 10)) {
-                throw Error(fmt::format("{}: illum '{}' is not legal: 0 to 10", where, field[1]));
-            }
-            if (colour && x.size() == 1) line.text = fmt::format("{} {} {} {}", key, field[1], field[1], field[1]);
-        }
-    }
-    return joined(std::move(lines));
-}
-
-/// tinyobjloader has single precision: the number as it stood in the file, if it had no more digits than that.
-double decimal(tinyobj::real_t x) { return std::stod(fmt::format("{}", x)); }
-
-Vec3 colour(const tinyobj::real_t (&k)[3], const char* key, const std::string& material,
-            std::vector<std::string>& warnings) {
-    const Vec3 given{decimal(k[0]), decimal(k[1]), decimal(k[2])};
-    const auto cut = [](double x) { return std::clamp(x, 0.0, 1.0); };
-    const Vec3 out{cut(given.x), cut(given.y), cut(given.z)};
-    if (out != given) {
-        warnings.push_back(
-            fmt::format("material '{}': {} {:g} {:g} {:g} is cut to 0 .. 1", material, key, given.x, given.y, given.z));
-    }
-    return out;
-}
-
-Material translate(const tinyobj::material_t& mtl, std::vector<std::string>& warnings) {
-    Material out;
-    out.name = printable(mtl.name);  // and `space` is a space again
-    const Vec3 ambient = colour(mtl.ambient, "Ka", out.name, warnings);
-    const Vec3 diffuse = colour(mtl.diffuse, "Kd", out.name, warnings);
-    const Vec3 specular = colour(mtl.specular, "Ks", out.name, warnings);
-    if (mtl.illum == 0) {
-        out.emission = diffuse;
-    } else {
-        out.ambient = ambient;
-        out.diffuse = diffuse;
-        if (mtl.illum >= 2) out.specular = specular;
-    }
-    out.exponent = out.specular == Vec3{} ? 1 : exponent(decimal(mtl.shininess), out.name, warnings);
-    const auto within = [&](double x, const char* key, double low, double high) {
-        if (x < low || x > high) {
-            throw Error(fmt::format("material '{}': {} {:g} is not legal: {:g} to {:g}", out.name, key, x, low, high));
-        }
-        return x;
-    };
-    out.roughness = within(decimal(mtl.roughness), "Pr", 0.0, 1.0);
-    out.anisotropy = within(decimal(mtl.anisotropy), "aniso", 0.0, 0.99);
-    out.index = std::max(1.0, within(decimal(mtl.ior), "Ni", 0.0, 10.0));  // files in the wild have 0 for "not given"
-    if (mtl.illum >= 3) {
-        warnings.push_back(
-            fmt::format("material '{}': illum {} also asks for reflection, refraction or shadows, which "
-                        "are not rendered; the local part is",
-                        out.name, mtl.illum));
-    }
-    if (!mtl.ambient_texname.empty() || !mtl.diffuse_texname.empty() || !mtl.specular_texname.empty()) {
-        warnings.push_back(fmt::format("material '{}': its textures are not rendered; its colours are", out.name));
-    }
-    const auto named = mtl.unknown_parameter.find("brdf");
-    set_models(out, named == mtl.unknown_parameter.end() ? "" : named->second, fmt::format("material '{}'", out.name));
-    return out;
-}
-
-/// Finds the MTL files of an OBJ file beside it.
-class Materials final : public tinyobj::MaterialReader {
+class ObjReader {
 public:
-    explicit Materials(std::filesystem::path folder) : folder_(std::move(folder)) {}
+    ObjReader(const std::string& file, const FindFile& find, std::vector<std::string>& warnings)
+        : file_(file), find_(find), warnings_(warnings) {}
 
-    bool operator()(const std::string& name, std::vector<tinyobj::material_t>* materials,
-                    std::map<std::string, int>* index, std::string* warning, std::string* error) override {
-        const std::filesystem::path path = folder_ / name;
-        std::error_code unknown;
-        if (!std::filesystem::is_regular_file(path, unknown)) return false;
-        std::istringstream text(complete_mtl(read_text(path), path.string()));
-        tinyobj::LoadMtl(index, materials, &text, warning, error);
+    Model read(std::string_view text) {
+        check_text(text, file_);
+        static const std::vector<std::string_view> names{"mtllib", "usemtl", "g", "o"};
+        Lines lines(text, names);
+        while (lines.next(line_)) take();
+        Model out;
+        out.materials = std::move(materials_);
+        Material& plain = out.materials.emplace_back();
+        plain.name = "(none)";
+        plain.ambient = plain.diffuse = {0.7, 0.7, 0.7};
+        plain.specular = {0.25, 0.25, 0.25};
+        plain.exponent = 40;
+        set_models(plain, "", file_);
+        build(out);
+        return out;
+    }
+
+private:
+    void warn(const std::string& what) { warnings_.push_back(fmt::format("{}: {}", file_, what)); }
+    [[noreturn]] void refuse(int line, const std::string& what) const {
+        throw Error(fmt::format("{}:{}: {}", file_, line, what));
+    }
+
+    void take() {
+        const std::string_view key = line_.key;
+        if (key == "v") {
+            const std::vector<double> x = numbers();
+            vertices_.push_back({x[0], x[1], x[2]});
+            if (x.size() >= 6) {
+                colours_.resize(vertices_.size(), uncoloured);
+                colours_.back() = {x[3], x[4], x[5]};
+                brightest_ = std::max({brightest_, x[3], x[4], x[5]});
+                darkest_ = std::min({darkest_, x[3], x[4], x[5]});
+            }
+        } else if (key == "vn") {
+            const std::vector<double> x = numbers();
+            normals_.push_back({x[0], x[1], x[2]});
+        } else if (key == "f" || key == "fo") {
+            Face face{line_.number, corners_.size(), 0, name_};
+            for (const std::string_view field : fields(line_.rest)) corners_.push_back(corner(field));
+            face.count = corners_.size() - face.first;
+            faces_.push_back(face);
+        } else if (key == "usemtl") {
+            const std::string name = printable(line_.rest, 200);
+            const auto [place, fresh] = name_numbers_.try_emplace(name, static_cast<std::uint32_t>(names_.size()));
+            if (fresh) names_.push_back(name);
+            name_ = place->second;
+        } else if (key == "mtllib") {
+            read_library(std::string(line_.rest));
+        } else if (key == "l" || key == "p" || key == "curv" || key == "curv2" || key == "surf") {
+            not_drawn_.at(line_.number);
+        } else if (!is_passed_over(key)) {
+            if (unknown_.count == 0) unknown_key_ = printable(key);
+            unknown_.at(line_.number);
+        }
+    }
+
+    /// The numbers of `v` and `vn`: at least 3.
+    std::vector<double> numbers() const {
+        std::vector<double> out;
+        for (const std::string_view field : fields(line_.rest)) {
+            double x = 0.0;
+            if (!parse_number(field, largest_coordinate, x)) {
+                refuse(line_.number, fmt::format("'{}' is not legal: {} takes numbers from {:g} to {:g}",
+                                                 printable(field), line_.key, -largest_coordinate, largest_coordinate));
+            }
+            out.push_back(x);
+        }
+        if (out.size() < 3) {
+            refuse(line_.number, fmt::format("'{}' has {} numbers, legal are 3 or more", line_.key, out.size()));
+        }
+        return out;
+    }
+
+    /// v, v/vt, v//vn or v/vt/vn, where what follows a '/' may be missing.
+    FaceCorner corner(std::string_view field) {
+        std::array<std::string_view, 3> parts;
+        std::size_t part = 0;
+        for (std::string_view rest = field;; ++part) {
+            const std::size_t slash = rest.find('/');
+            if (part < 3) parts[part] = rest.substr(0, slash);
+            if (slash == rest.npos) break;
+            rest.remove_prefix(slash + 1);
+        }
+        std::array<std::int64_t, 3> index{};
+        for (std::size_t i = 0; i < 3; ++i) {
+            if (i > 0 && parts[i].empty()) continue;
+            const char* const end = parts[i].data() + parts[i].size();
+            const auto [stopped, error] = std::from_chars(parts[i].data(), end, index[i]);
+            if (error == std::errc::result_out_of_range && stopped == end) {
+                index[i] = parts[i].starts_with('-') ? -most_index : most_index;
+            } else if (part > 2 || stopped != end || error != std::errc{}) {
+                refuse(line_.number, fmt::format("'{}' is not legal: a corner of a face is v, v/vt, v//vn or v/vt/vn, "
+                                                 "whole numbers",
+                                                 printable(field)));
+            }
+        }
+        FaceCorner out;
+        const auto vertices = static_cast<std::int64_t>(vertices_.size());
+        if (index[0] == 0 || index[0] < -vertices || index[0] == most_index) {
+            refuse(line_.number, fmt::format("a face asks for vertex {}, there are {} before it; the first is 1",
+                                             printable(parts[0]), vertices));
+        }
+        out.vertex = index[0] < 0 ? vertices + index[0] : index[0] - 1;
+        const auto normals = static_cast<std::int64_t>(normals_.size());
+        if (index[2] > 0) out.normal = index[2] - 1;
+        if (index[2] < 0) out.normal = index[2] < -normals ? most_index : normals + index[2];
+        return out;
+    }
+
+    /// The names on a line of `mtllib`: one that may hold blanks, or several, or both.
+    void read_library(const std::string& names) {
+        if (names.empty() || read_materials(names)) return;
+        std::vector<std::string> words;
+        for (const std::string_view field : fields(names)) {
+            // "a\ b.mtl" is one name.
+            if (!words.empty() && words.back().ends_with('\\')) {
+                words.back().back() = ' ';
+                words.back() += field;
+            } else {
+                words.emplace_back(field);
+            }
+        }
+        constexpr std::size_t most_words = 16;
+        words.resize(std::min<std::size_t>(words.size(), 64));  // each is looked for in the folder
+        bool found = false;
+        std::vector<std::string> missing;
+        for (std::size_t first = 0; first < words.size();) {
+            std::size_t last = first;
+            for (std::size_t end = std::min(words.size(), first + most_words); end > first && last == first; --end) {
+                const std::string name =
+                    fmt::format("{}", fmt::join(words.begin() + static_cast<std::ptrdiff_t>(first),
+                                                words.begin() + static_cast<std::ptrdiff_t>(end), " "));
+                if (read_materials(name)) last = end;
+            }
+            if (last == first) missing.push_back(words[first]);
+            found = found || last != first;
+            first = std::max(last, first + 1);
+        }
+        if (missing.empty()) return;
+        library_missing_ = true;
+        warn(fmt::format("material file '{}' is not there: what it defines is grey",
+                         printable(found ? fmt::format("{}", fmt::join(missing, " ")) : names)));
+    }
+
+    /// False where there is no file of that name.
+    bool read_materials(const std::string& name) {
+        const std::filesystem::path path = find_(name);
+        if (path.empty()) return false;
+        if (!libraries_.insert(path).second) return true;
+        const std::string text = read_file(path);
+        for (Material& material : read_mtl(text, printable(path.string(), 200), warnings_)) {
+            materials_.push_back(std::move(material));
+        }
         return true;
     }
 
-private:
-    std::filesystem::path folder_;
-};
+    /// The material of each name that `usemtl` gave; of those without one the last, which is plain.
+    std::vector<std::uint32_t> find_materials(const Model& model) {
+        std::map<std::string, std::uint32_t> whole;
+        std::map<std::string, std::uint32_t> cut;
+        const auto plain = static_cast<std::uint32_t>(model.materials.size() - 1);
+        for (std::uint32_t m = 0; m < plain; ++m) {
+            whole.try_emplace(model.materials[m].name, m);
+            cut.try_emplace(before_mark(model.materials[m].name), m);
+        }
+        std::vector<std::uint32_t> out;
+        for (const std::string& name : names_) {
+            const auto same = whole.find(name);
+            const auto like = cut.find(before_mark(name));
+            out.push_back(same != whole.end() ? same->second : like != cut.end() ? like->second : plain);
+        }
+        return out;
+    }
 
-/// Normals for corners that have none: the mean of the faces around the vertex, weighted by area, that lie within 60
-/// degrees of the corner's own face. So a box keeps its edges and a scanned figure looks smooth.
-class Smoothing {
-public:
-    Smoothing(const std::vector<std::array<int, 3>>& faces, std::vector<Vec3> normals, std::size_t vertices)
-        : normals_(std::move(normals)), around_(vertices) {
-        for (std::size_t f = 0; f < faces.size(); ++f) {
-            for (const int vertex : faces[f]) around_[static_cast<std::size_t>(vertex)].push_back(f);
+    /// Colours of vertices as 0 .. 1.
+    void scale_colours() {
+        colours_.resize(colours_.empty() ? 0 : vertices_.size(), uncoloured);
+        const bool bytes = brightest_ >= 2.0;
+        if (bytes) {
+            warn("colours of vertices above 1 were taken as 0 .. 255");
+        } else if (brightest_ > 1.0 || darkest_ < 0.0) {
+            warn("colours of vertices are cut to 0 .. 1");
+        }
+        const auto channel = [&](double x) { return std::clamp(bytes ? x / 255.0 : x, 0.0, 1.0); };
+        for (Vec3& c : colours_) c = c.x != c.x ? Vec3{1, 1, 1} : Vec3{channel(c.x), channel(c.y), channel(c.z)};
+    }
+
+    void build(Model& out) {
+        const std::vector<std::uint32_t> materials = find_materials(out);
+        const auto plain = static_cast<std::uint32_t>(out.materials.size() - 1);
+        scale_colours();
+        std::vector<std::array<std::uint32_t, 3>> triangles;
+        std::vector<std::array<std::int64_t, 3>> normals;
+        std::vector<Vec3> areas;
+        std::size_t dropped = 0;
+        Seen crossing, normal_missing;
+        std::set<std::string> undefined;
+        std::vector<Vec3> polygon;
+        for (const Face& face : faces_) {
+            const std::span<FaceCorner> corners(corners_.data() + face.first, face.count);
+            polygon.clear();
+            for (FaceCorner& corner : corners) {
+                if (corner.vertex >= static_cast<std::int64_t>(vertices_.size())) {
+                    refuse(face.line,
+                           fmt::format("a face asks for vertex {}, there are {}", corner.vertex + 1, vertices_.size()));
+                }
+                if (corner.normal >= static_cast<std::int64_t>(normals_.size())) {
+                    normal_missing.at(face.line);
+                    corner.normal = no_normal;
+                }
+                polygon.push_back(vertices_[static_cast<std::size_t>(corner.vertex)]);
+            }
+            const Triangulation cut = triangulate(polygon);
+            if (!cut.simple) crossing.at(face.line);
+            if (cut.triangles.empty()) ++dropped;
+            const std::uint32_t material = face.name == no_name ? plain : materials[face.name];
+            if (face.name != no_name && material == plain) undefined.insert(names_[face.name]);
+            for (const auto& triangle : cut.triangles) {
+                Triangle& made = out.triangles.emplace_back();
+                made.material = material;
+                auto& vertex = triangles.emplace_back();
+                auto& normal = normals.emplace_back();
+                for (std::size_t i = 0; i < 3; ++i) {
+                    vertex[i] = static_cast<std::uint32_t>(corners[triangle[i]].vertex);
+                    normal[i] = corners[triangle[i]].normal;
+                    made.corners[i].position = vertices_[vertex[i]];
+                    if (!colours_.empty()) made.corners[i].colour = colours_[vertex[i]];
+                }
+                const Vec3& a = made.corners[0].position;
+                areas.push_back(cross(made.corners[1].position - a, made.corners[2].position - a));
+            }
+        }
+        if (out.triangles.empty()) throw Error(fmt::format("{}: there are no faces with an area", file_));
+        set_normals(out, triangles, normals, areas);
+
+        if (unknown_.count != 0) {
+            warn(fmt::format("{} lines are not OBJ and are left out, the first is line {}: '{}'", unknown_.count,
+                             unknown_.line, unknown_key_));
+        }
+        if (not_drawn_.count != 0) {
+            warn(fmt::format("{} points, lines, curves and surfaces are not drawn, the first is in line {}",
+                             not_drawn_.count, not_drawn_.line));
+        }
+        if (!undefined.empty() && !library_missing_) {
+            warn(fmt::format("material '{}' is not defined{}: its faces are grey", printable(*undefined.begin()),
+                             undefined.size() == 1 ? "" : fmt::format(" and {} more are not", undefined.size() - 1)));
+        }
+        if (crossing.count != 0) {
+            warn(fmt::format("{} faces cross or cover themselves, the first is in line {}", crossing.count,
+                             crossing.line));
+        }
+        if (normal_missing.count != 0) {
+            warn(
+                fmt::format("{} corners ask for normals that are not there, the first is in line {}; they are made "
+                            "from the faces",
+                            normal_missing.count, normal_missing.line));
+        }
+        if (dropped != 0) warn(fmt::format("{} faces without an area are left out", dropped));
+    }
+
+    void set_normals(Model& out, std::span<const std::array<std::uint32_t, 3>> triangles,
+                     std::span<const std::array<std::int64_t, 3>> normals, std::span<const Vec3> areas) const {
+        std::vector<std::size_t> without;
+        for (std::size_t c = 0; c < 3 * out.triangles.size(); ++c) {
+            const std::int64_t given = normals[c / 3][c % 3];
+            const Vec3 normal = given < 0 ? Vec3{} : direction(normals_[static_cast<std::size_t>(given)]);
+            out.triangles[c / 3].corners[c % 3].normal = normal;
+            if (normal == Vec3{}) without.push_back(c);
+        }
+        if (without.empty()) return;
+        const Smoothing smoothing(triangles, areas, vertices_.size());
+        for (const std::size_t c : without) {
+            out.triangles[c / 3].corners[c % 3].normal = smoothing.normal(c / 3, c % 3);
         }
     }
 
-    Vec3 normal(std::size_t face, int vertex) const {
-        const Vec3 own = direction(normals_[face]);
-        Vec3 sum;
-        for (const std::size_t other : around_[static_cast<std::size_t>(vertex)]) {
-            if (dot(direction(normals_[other]), own) > 0.5) sum = sum + normals_[other];
-        }
-        return direction(sum);
-    }
+    static constexpr std::int64_t most_index = std::int64_t{1} << 62;
 
-private:
-    std::vector<Vec3> normals_;  ///< of each face; its length is twice the area
-    std::vector<std::vector<std::size_t>> around_;
+    const std::string& file_;
+    const FindFile& find_;
+    std::vector<std::string>& warnings_;
+    Line line_;
+    std::vector<Vec3> vertices_, normals_, colours_;  // no colours where no vertex has one
+    double brightest_ = 0.0;
+    double darkest_ = 0.0;
+    std::vector<FaceCorner> corners_;
+    std::vector<Face> faces_;
+    std::vector<std::string> names_;
+    std::unordered_map<std::string, std::uint32_t> name_numbers_;
+    std::uint32_t name_ = no_name;
+    std::vector<Material> materials_;
+    std::set<std::filesystem::path> libraries_;
+    bool library_missing_ = false;
+    Seen unknown_, not_drawn_;
+    std::string unknown_key_;
 };
 
-Vec3 at(const std::vector<tinyobj::real_t>& values, int index) {
-    const std::size_t i = 3 * static_cast<std::size_t>(index);
-    return {values[i], values[i + 1], values[i + 2]};
+/// The file beside a model that its text means: with either slash, in either case, and, where the folder that is named
+/// is one of another machine, in the model's own.
+std::filesystem::path find_beside(const std::filesystem::path& folder, std::string name) {
+    std::error_code unknown;
+    const auto there = [&](const std::filesystem::path& path) {
+        return std::filesystem::is_regular_file(path, unknown);
+    };
+    if (there(folder / name)) return folder / name;
+    std::replace(name.begin(), name.end(), '\\', '/');
+    if (there(folder / name)) return folder / name;
+    const std::string last = lower(std::filesystem::path(name).filename().string());
+    for (const std::filesystem::path& in : {(folder / name).parent_path(), folder}) {
+        std::vector<std::filesystem::path> found;
+        for (std::filesystem::directory_iterator at(in.empty() ? "." : in, unknown), end; at != end;
+             at.increment(unknown)) {
+            if (lower(at->path().filename().string()) == last && there(at->path())) found.push_back(at->path());
+        }
+        if (!found.empty()) return *std::min_element(found.begin(), found.end());
+    }
+    return {};
 }
 
 }  // namespace
 
-int exponent(double ns, const std::string& material, std::vector<std::string>& warnings) {
-    const double rounded = std::round(ns);
-    const int out = static_cast<int>(std::clamp(rounded, 1.0, static_cast<double>(max_n)));
-    if (rounded != out) warnings.push_back(fmt::format("material '{}': Ns {:g} counts as {}", material, ns, out));
-    return out;
-}
-
-void set_models(Material& material, const std::string& names, const std::string& where) {
-    material.diffuse_model = material.diffuse == Vec3{} ? "" : "lambert";
-    material.specular_model = material.specular == Vec3{} ? "" : "blinn_phong";
-    bool diffuse = false;
-    bool specular = false;
-    std::istringstream in(names);
-    for (std::string name; in >> name;) {
-        const LightingModel* model = find_model(name);
-        if (model == nullptr) {
-            throw Error(fmt::format("{}: brdf '{}' is not known: {}", where, printable(name), known_models()));
-        }
-        bool& taken = model->diffuse ? diffuse : specular;
-        if (taken) {
-            throw Error(fmt::format("{}: brdf '{}' is not legal: a material has one {} model", where, names,
-                                    model->diffuse ? "diffuse" : "specular"));
-        }
-        taken = true;
-        std::string& place = model->diffuse ? material.diffuse_model : material.specular_model;
-        if (!place.empty()) place = name;
-    }
-}
-
-std::vector<Material> read_mtl(const std::string& text, const std::string& file, std::vector<std::string>& warnings) {
-    std::istringstream in(complete_mtl(text, file));
-    std::map<std::string, int> index;
-    std::vector<tinyobj::material_t> materials;
-    std::string warning;
-    std::string error;
-    tinyobj::LoadMtl(&index, &materials, &in, &warning, &error);
-    std::vector<Material> out;
-    for (const tinyobj::material_t& mtl : materials) out.push_back(translate(mtl, warnings));
-    return out;
+Model parse_obj(std::string_view text, const std::string& file, const FindFile& find,
+                std::vector<std::string>& warnings) {
+    return ObjReader(file, find, warnings).read(text);
 }
 
 Model read_obj(const std::filesystem::path& path, std::vector<std::string>& warnings) {
-    const std::string file = path.string();
-    const std::vector<Line> lines = logical_lines(read_text(path));
-    for (const Line& line : lines) {
-        const std::vector<std::string> field = fields(line.text);
-        if (field.empty() || (field.front() != "v" && field.front() != "vn")) continue;
-        const std::string where = fmt::format("{}:{}", file, line.number);
-        if (numbers(field, where).size() < 3) {
-            throw Error(
-                fmt::format("{}: '{}' has {} numbers, legal are 3 or more", where, field.front(), field.size() - 1));
-        }
-    }
-
-    std::istringstream in(joined(lines));
-    tinyobj::attrib_t attributes;
-    std::vector<tinyobj::shape_t> shapes;
-    std::vector<tinyobj::material_t> materials;
-    std::string warning;
-    std::string error;
-    Materials reader(path.parent_path());
-    if (!tinyobj::LoadObj(&attributes, &shapes, &materials, &warning, &error, &in, &reader)) {
-        throw Error(fmt::format("{}: {}", file, error.empty() ? "is not a Wavefront OBJ file" : printable(error)));
-    }
-    if (!warning.empty()) warnings.push_back(fmt::format("{}: {}", file, printable(warning)));
-
-    Model out;
-    for (const tinyobj::material_t& mtl : materials) out.materials.push_back(translate(mtl, warnings));
-    Material& plain = out.materials.emplace_back();
-    plain.name = "(none)";
-    plain.ambient = plain.diffuse = {0.7, 0.7, 0.7};
-    plain.specular = {0.25, 0.25, 0.25};
-    plain.exponent = 40;
-    set_models(plain, "", file);
-
-    const int vertices = static_cast<int>(attributes.vertices.size() / 3);
-    const int normals = static_cast<int>(attributes.normals.size() / 3);
-    std::vector<std::array<int, 3>> faces;  // of the triangles that have an area
-    std::vector<std::array<int, 3>> face_normals;
-    std::vector<Vec3> crosses;
-    std::size_t dropped = 0;
-    for (const tinyobj::shape_t& shape : shapes) {
-        std::size_t corner = 0;
-        for (std::size_t f = 0; f < shape.mesh.num_face_vertices.size(); ++f) {
-            const std::size_t first = corner;
-            corner += shape.mesh.num_face_vertices[f];
-            if (shape.mesh.num_face_vertices[f] != 3) {
-                ++dropped;
-                continue;
-            }
-            std::array<int, 3> vertex{};
-            std::array<int, 3> normal{};
-            for (std::size_t i = 0; i < 3; ++i) {
-                const tinyobj::index_t index = shape.mesh.indices[first + i];
-                vertex[i] = index.vertex_index;
-                normal[i] = index.normal_index;
-                if (vertex[i] < 0 || vertex[i] >= vertices || normal[i] >= normals) {
-                    const bool bad_normal = vertex[i] >= 0 && vertex[i] < vertices;
-                    throw Error(fmt::format("{}: a face asks for {} {}, there are {}", file,
-                                            bad_normal ? "normal" : "vertex", 1 + (bad_normal ? normal[i] : vertex[i]),
-                                            bad_normal ? normals : vertices));
-                }
-            }
-            const Vec3 a = at(attributes.vertices, vertex[0]);
-            const Vec3 area = cross(at(attributes.vertices, vertex[1]) - a, at(attributes.vertices, vertex[2]) - a);
-            if (!(dot(area, area) > 0.0)) {
-                ++dropped;
-                continue;
-            }
-            Triangle triangle;
-            const int material = shape.mesh.material_ids[f];
-            triangle.material =
-                material < 0 ? static_cast<std::uint32_t>(materials.size()) : static_cast<std::uint32_t>(material);
-            for (std::size_t i = 0; i < 3; ++i) {
-                triangle.corners[i].position = at(attributes.vertices, vertex[i]);
-                if (!attributes.colors.empty()) {
-                    const Vec3 c = at(attributes.colors, vertex[i]);
-                    triangle.corners[i].colour = {std::clamp(c.x, 0.0, 1.0), std::clamp(c.y, 0.0, 1.0),
-                                                  std::clamp(c.z, 0.0, 1.0)};
-                }
-            }
-            out.triangles.push_back(triangle);
-            faces.push_back(vertex);
-            face_normals.push_back(normal);
-            crosses.push_back(area);
-        }
-    }
-    if (out.triangles.empty()) throw Error(fmt::format("{}: there are no faces with an area", file));
-    if (dropped != 0) warnings.push_back(fmt::format("{}: {} faces without an area are left out", file, dropped));
-
-    const Smoothing smoothing(faces, crosses, static_cast<std::size_t>(vertices));
-    for (std::size_t f = 0; f < faces.size(); ++f) {
-        for (std::size_t i = 0; i < 3; ++i) {
-            Vec3 normal;
-            if (face_normals[f][i] >= 0) normal = direction(at(attributes.normals, face_normals[f][i]));
-            if (normal == Vec3{}) normal = smoothing.normal(f, faces[f][i]);
-            out.triangles[f].corners[i].normal = normal;
-        }
-    }
-    return out;
+    const auto find = [&](const std::string& name) { return find_beside(path.parent_path(), name); };
+    return parse_obj(read_file(path), path.string(), find, warnings);
 }
 
 }  // namespace glint::render

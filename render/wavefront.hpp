@@ -1,8 +1,10 @@
-// Wavefront OBJ and MTL files, parsed by tinyobjloader, checked and translated here.
+// Wavefront OBJ and MTL files. What of them is read, and how, is in docs/rendering.md.
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "scene.hpp"
@@ -15,11 +17,19 @@ struct Model {
 };
 
 /// Reads a model and the MTL files that it names. A line per warning is added to `warnings`. Throws Error when a file
-/// cannot be read, holds what is no finite number, refers to vertices that are not there, or has no faces with an area.
+/// cannot be read or is no text, holds what is no finite number, refers to vertices that are not there, or has no faces
+/// with an area.
 Model read_obj(const std::filesystem::path& path, std::vector<std::string>& warnings);
 
-/// The materials of an MTL text, by the rules of docs/rendering.md; `file` names it in messages. Throws Error.
-std::vector<Material> read_mtl(const std::string& text, const std::string& file, std::vector<std::string>& warnings);
+/// A file that a model names, or an empty path where there is none of that name.
+using FindFile = std::function<std::filesystem::path(const std::string& name)>;
+
+/// The same for a text in memory; `file` names it in messages, `find` finds its MTL files.
+Model parse_obj(std::string_view text, const std::string& file, const FindFile& find,
+                std::vector<std::string>& warnings);
+
+/// The materials of an MTL text; `file` names it in messages. Throws Error.
+std::vector<Material> read_mtl(std::string_view text, const std::string& file, std::vector<std::string>& warnings);
 
 /// `Ns` as an exponent: fractions rounded half away from zero, 0 counts as 1, above 1023 as 1023; the last two warn.
 int exponent(double ns, const std::string& material, std::vector<std::string>& warnings);

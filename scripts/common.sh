@@ -38,7 +38,6 @@ install_missing() {
     need libglpk-dev file_there '/usr/include/glpk.h'
     need zlib1g-dev file_there '/usr/include/zlib.h'
     need libembree-dev file_there '/usr/include/embree4/rtcore.h' '/usr/include/embree3/rtcore.h'
-    need libtinyobjloader-dev file_there '/usr/include/tiny_obj_loader.h'
     need libpng-dev file_there '/usr/include/png.h'
     need libstb-dev file_there '/usr/include/stb/stb_easy_font.h'
     need gappa command_there gappa
