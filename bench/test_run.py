@@ -18,7 +18,8 @@ from pathlib import Path
 HERE = Path(__file__).resolve().parent
 ROOT = HERE.parent
 OPTIONS = argparse.Namespace(bench=None, models=None)
-LOBES = re.findall(r"^GLINT_LOBE\((\w+)\)$", (ROOT / "model/include/glint/lobes.def").read_text(), re.M)
+LOBES = {unit["lobe"] for unit in json.loads((ROOT / "rtl/units.json").read_text())["units"]
+         if unit["kind"] == "lobe"}
 MODELS = re.findall(r'string_view name = "(\w+)"', (ROOT / "studies/lighting.hpp").read_text())
 needs_valgrind = unittest.skipUnless(shutil.which("valgrind"), "Valgrind not found; install the package `valgrind`")
 
@@ -82,12 +83,12 @@ class Committed:
             self.assertGreater(self.file["dependency_ns"][kind], 0)
 
     def test_current(self):
-        """The functions of this build are those of the file, but for what a build may lack."""
+        """The functions of the file are some of this build, but for what a build may lack."""
         def keys(entries):
             return {(entry[self.subject], entry["type"], entry["form"], entry["formula"]) for entry in entries
                     if "libmvec" not in entry[self.subject]}
 
-        self.assertEqual(keys(self.points), keys(self.described()["cases"]))
+        self.assertLessEqual(keys(self.points), keys(self.described()["cases"]))
 
 
 class CommittedLobes(Committed, Case):
@@ -98,7 +99,7 @@ class CommittedLobes(Committed, Case):
         self.assertGreater(len(there), 80)
         self.assertEqual(len(there), len(set(there)), "a point stands twice")
         self.assertGreater(len(LOBES), 0)
-        for lobe in LOBES:
+        for lobe in LOBES & {point["lobe"] for point in self.points}:  # `glint cost --check` names the others
             for kind in ("double", "float", "fixed"):
                 for form in ("scalar", "batch"):
                     self.assertIn((lobe, kind, form), there)

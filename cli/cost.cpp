@@ -1,9 +1,12 @@
 // `glint cost`: the table of accuracy and cost, or what fills it: prices, errors, word lengths.
-#include "cost/fpga/cost.hpp"
+#include <fmt/format.h>
+
 #include "cli/commands.hpp"
 #include "cost/accuracy.hpp"
 #include "cost/effect_prices.hpp"
+#include "cost/fpga/cost.hpp"
 #include "cost/grid.hpp"
+#include "cost/missing.hpp"
 #include "cost/table.hpp"
 #include "glint/error.hpp"
 #include "io/command.hpp"
@@ -48,7 +51,11 @@ int run_cost(Options options, const std::string& command) {
         fpga::Options& fpga = options.on_fpga;
         fpga.json = options.json;
         fpga.jobs = options.jobs;
-        return run_price_check(fpga);
+        const int status = run_price_check(fpga);
+        if (options.json.empty()) {
+            for (const std::string& line : cost::not_measured("cost/data")) fmt::print("{}\n", line);
+        }
+        return status;
     }
     if ((options.accuracy || options.grid) && !(options.effect + options.mask).empty()) {
         throw Error("--effect and --mask are not legal here: they are of --fpga and of the table");
@@ -100,7 +107,8 @@ void add_cost(CLI::App& app, Chosen& chosen) {
     auto o = std::make_shared<Options>();
     CLI::App* command = app.add_subcommand("cost", "What accuracy costs: errors beside cells, clocks and latency");
     command->add_flag("--fpga", o->fpga, "Price units instead: synthesize, place and route (docs/cost.md)");
-    command->add_flag("--check", o->check, "Tell instead whether prices are of this Verilog (--json: the file)");
+    command->add_flag("--check", o->check,
+                      "Tell instead which prices are missing or of other Verilog (--json: the file)");
     command->add_flag("--accuracy", o->accuracy, "Measure errors over all inputs instead");
     command->add_flag("--grid", o->grid, "Find the shortest word lengths that will do instead");
     o->units = {

@@ -28,15 +28,18 @@ function(glint_effects out)
   set(${out} ${names} PARENT_SCOPE)
 endfunction()
 
-# glint_effect_kernels(out): the effects of this build that have an HLS kernel.
-function(glint_effect_kernels out)
-  set(names "")
-  foreach(effect IN LISTS GLINT_EFFECTS)
-    if(EXISTS ${PROJECT_SOURCE_DIR}/hls/glint_effect_${effect}.cpp)
-      list(APPEND names ${effect})
+# glint_kernels(out): the HLS kernels of this build, `<lobe>` and `effect_<effect>`: those whose top functions are emitted.
+function(glint_kernels out)
+  file(GLOB emitted RELATIVE ${PROJECT_SOURCE_DIR}/hls/generated CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/hls/generated/*_p12.cpp)
+  set(effects ${GLINT_EFFECTS})
+  list(TRANSFORM effects PREPEND effect_)
+  set(kernels "")
+  foreach(kernel IN LISTS GLINT_LOBES effects)
+    if(glint_${kernel}_p12.cpp IN_LIST emitted)
+      list(APPEND kernels ${kernel})
     endif()
   endforeach()
-  set(${out} ${names} PARENT_SCOPE)
+  set(${out} ${kernels} PARENT_SCOPE)
 endfunction()
 
 # glint_generated_verilog(out rtl lobe profile): the folder with the wrappers of a profile. Those of the shipped profiles

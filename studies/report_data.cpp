@@ -3,8 +3,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "glint/bps.hpp"
 #include "glint/fixed_point.hpp"
+#include "glint/lobes.hpp"
 #include "glint/reference.hpp"
 
 namespace glint::studies {
@@ -59,7 +59,7 @@ ErrorMap error_map(std::string_view profile) {
     ErrorMap out;
     out.profile = parse_profile(profile);
     out.error.resize(out.columns * out.rows);
-    const auto model = make_bps(out.profile);
+    const auto model = find_lobe("bps").golden(out.profile);
     int last_n = 0;
     for (std::size_t column = 0; column < out.columns; ++column) {
         const int n = static_cast<int>(std::lround(std::pow(10.0, out.log_n(column))));

@@ -1,14 +1,18 @@
 #include "cost/fpga/cost.hpp"
 
 #include <algorithm>
+#include <array>
 #include <memory>
+#include <set>
 
 #include <fmt/format.h>
 
 #include "cost/fpga/flow.hpp"
 #include "cost/fpga/table.hpp"
 #include "cost/fpga/units.hpp"
+#include "glint/effect.hpp"
 #include "glint/error.hpp"
+#include "glint/lobes.hpp"
 #include "io/command.hpp"
 
 namespace glint::fpga {
@@ -160,6 +164,40 @@ bool is_current(const Point& point, const std::string& rtl) {
     return price_hash(sources, find_device(point.device), point.dsp) == point.hash;
 }
 
+/// A line for every lobe or effect that the file has no price of, or not at every shipped profile, listed architecture
+/// without registers in its products or rows, and device of the file.
+std::vector<std::string> not_priced(const std::vector<Point>& points) {
+    std::set<std::array<std::string, 4>> there;
+    std::set<std::string> devices, priced_effects;
+    for (const Point& p : points) {
+        if (p.effect.empty()) devices.insert(p.device);
+        if (!p.effect.empty()) priced_effects.insert(p.effect);
+        there.insert({p.lobe, p.profile, p.architecture, p.device});
+    }
+    std::vector<std::string> out;
+    for (const Lobe& lobe : lobes()) {
+        std::size_t all = 0, missing = 0;
+        for (const Architecture& architecture : listed_architectures(lobe)) {
+            if (architecture.name.find(':') != std::string::npos) continue;
+            for (const Profile& profile : shipped_profiles()) {
+                for (const std::string& device : devices) {
+                    ++all;
+                    missing += 1 - there.count({std::string(lobe.name), profile.name, architecture.name, device});
+                }
+            }
+        }
+        if (missing > 0) {
+            out.push_back(
+                fmt::format("not priced: {} at {} of {} profiles, architectures and devices", lobe.name, missing, all));
+        }
+    }
+    for (const Effect& effect : effects()) {
+        if (!priced_effects.empty() && priced_effects.count(std::string(effect.name)) == 0)
+            out.push_back(fmt::format("not priced: effect {}", effect.name));
+    }
+    return out;
+}
+
 }  // namespace
 
 int run_price_check(const Options& options) {
@@ -171,6 +209,7 @@ int run_price_check(const Options& options) {
     for (std::size_t i = 0; i < points.size(); ++i) {
         if (!current[i]) fmt::print("of other Verilog: {}\n", name_of(points[i]));
     }
+    for (const std::string& line : not_priced(points)) fmt::print("{}\n", line);
     const auto stale = std::count(current.begin(), current.end(), 0);
     fmt::print("{}: {} prices, {} of other Verilog or options\n", path, points.size(), stale);
     return stale == 0 ? io::success : io::check_failed;

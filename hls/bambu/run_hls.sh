@@ -21,8 +21,8 @@ case $profile in
         exit 2
         ;;
 esac
-if [ ! -r "$hls/glint_$lobe.cpp" ]; then
-    echo "run_hls.sh: lobe '$lobe' is not known: there is no glint_$lobe.cpp" >&2
+if [ ! -r "$hls/generated/$top.cpp" ]; then
+    echo "run_hls.sh: lobe '$lobe' is not known: there is no generated/$top.cpp" >&2
     exit 2
 fi
 if [ ! -r "$vectors" ]; then
@@ -33,7 +33,7 @@ mkdir -p "$top"
 cd "$top"
 
 echo "C simulation"
-"${CXX:-g++}" -std=c++14 -O1 -DGLINT_TOP="$top" "$hls/glint_$lobe.cpp" "$hls/testbench.cpp" -o testbench
+"${CXX:-g++}" -std=c++14 -O1 -DGLINT_TOP="$top" "$hls/generated/$top.cpp" "$hls/testbench.cpp" -o testbench
 ./testbench "$top" "$vectors"
 
 bambu=${BAMBU:-bambu}
@@ -43,7 +43,7 @@ if ! command -v "$bambu" >/dev/null; then
 fi
 
 echo "Synthesis and cosimulation"
-"$bambu" "$hls/glint_$lobe.cpp" --top-fname="$top" --std=c++14 -O2 \
+"$bambu" "$hls/generated/$top.cpp" --top-fname="$top" --std=c++14 -O2 \
     --pipelining="$top"=1 --generate-interface=INFER --reset-type=sync --reset-level=low \
     --device-name="${BAMBU_DEVICE:-xc7z020-1clg484-VVD}" --clock-period="${BAMBU_PERIOD:-10}" \
     --generate-tb="$hls/testbench.cpp" --tb-extra-gcc-options="-std=c++14 -DGLINT_TOP=$top" \

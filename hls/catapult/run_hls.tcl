@@ -32,7 +32,7 @@ if {[catch {
     flow package require /SCVerify
     flow package option set /SCVerify/INVOKE_ARGS "$top $vectors"
 
-    solution file add [file join $hls glint_$lobe.cpp] -type C++
+    solution file add [file join $hls generated $top.cpp] -type C++
     solution file add [file join $hls testbench.cpp] -type C++ -exclude true
     go analyze
     solution design set $top -top

@@ -59,4 +59,6 @@ struct glint_blinn_phong_p12_constants {
     }
 };
 
+extern "C" std::uint32_t glint_blinn_phong_p12(std::uint16_t n, std::int32_t cos_code);
+
 #endif

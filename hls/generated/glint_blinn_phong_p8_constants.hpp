@@ -53,4 +53,6 @@ struct glint_blinn_phong_p8_constants {
     }
 };
 
+extern "C" std::uint32_t glint_blinn_phong_p8(std::uint16_t n, std::int32_t cos_code);
+
 #endif

@@ -544,4 +544,6 @@ struct glint_cubic_p16_constants {
     }
 };
 
+extern "C" std::uint32_t glint_cubic_p16(std::uint16_t n, std::int32_t cos_code);
+
 #endif

@@ -9,4 +9,6 @@ struct glint_effect_ambient_p16_constants {
     static constexpr int O = 16;  // fraction bits of colours and terms
 };
 
+extern "C" void glint_effect_ambient_p16(std::uint32_t k_r, std::uint32_t k_g, std::uint32_t k_b, std::uint32_t i_r, std::uint32_t i_g, std::uint32_t i_b, std::uint32_t* r, std::uint32_t* g, std::uint32_t* b, bool* clamped);
+
 #endif

@@ -10,4 +10,6 @@ struct glint_effect_lambert_p12_constants {
     static constexpr int O = 12;  // fraction bits of the output
 };
 
+extern "C" void glint_effect_lambert_p12(std::int32_t nl, std::uint32_t* y, bool* clamped);
+
 #endif

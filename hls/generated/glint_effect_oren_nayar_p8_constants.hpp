@@ -10,4 +10,6 @@ struct glint_effect_oren_nayar_p8_constants {
     static constexpr int O = 8;  // fraction bits of the output
 };
 
+extern "C" void glint_effect_oren_nayar_p8(std::int32_t nl, std::int32_t nv, std::int32_t lv, std::uint32_t a, std::uint32_t b, std::uint32_t* y, bool* clamped);
+
 #endif

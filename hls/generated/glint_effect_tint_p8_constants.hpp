@@ -9,4 +9,6 @@ struct glint_effect_tint_p8_constants {
     static constexpr int O = 8;  // fraction bits of colours and terms
 };
 
+extern "C" void glint_effect_tint_p8(std::uint32_t s, std::uint32_t k_r, std::uint32_t k_g, std::uint32_t k_b, std::uint32_t i_r, std::uint32_t i_g, std::uint32_t i_b, std::uint32_t* r, std::uint32_t* g, std::uint32_t* b, bool* clamped);
+
 #endif

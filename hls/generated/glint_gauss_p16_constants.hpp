@@ -74,4 +74,6 @@ struct glint_gauss_p16_constants {
     }
 };
 
+extern "C" std::uint32_t glint_gauss_p16(std::uint16_t n, std::int32_t cos_code);
+
 #endif

@@ -22,4 +22,6 @@ struct glint_polynomial_p12_constants {
     static constexpr std::int64_t k6 = 0;  // not used
 };
 
+extern "C" std::uint32_t glint_polynomial_p12(std::uint16_t n, std::int32_t cos_code);
+
 #endif

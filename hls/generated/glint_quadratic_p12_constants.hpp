@@ -13,4 +13,6 @@ struct glint_quadratic_p12_constants {
     static constexpr std::int64_t slope = 12878;  // 0.786
 };
 
+extern "C" std::uint32_t glint_quadratic_p12(std::uint16_t n, std::int32_t cos_code);
+
 #endif

@@ -13,4 +13,6 @@ struct glint_quadratic_p16_constants {
     static constexpr std::int64_t slope = 206045;  // 0.786
 };
 
+extern "C" std::uint32_t glint_quadratic_p16(std::uint16_t n, std::int32_t cos_code);
+
 #endif

@@ -13,4 +13,6 @@ struct glint_quadratic_p8_constants {
     static constexpr std::int64_t slope = 805;  // 0.786
 };
 
+extern "C" std::uint32_t glint_quadratic_p8(std::uint16_t n, std::int32_t cos_code);
+
 #endif

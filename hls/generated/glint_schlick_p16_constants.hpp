@@ -10,4 +10,6 @@ struct glint_schlick_p16_constants {
     static constexpr int O = 16;  // fraction bits of the output
 };
 
+extern "C" std::uint32_t glint_schlick_p16(std::uint16_t n, std::int32_t cos_code);
+
 #endif

@@ -10,4 +10,6 @@ struct glint_schlick_p8_constants {
     static constexpr int O = 8;  // fraction bits of the output
 };
 
+extern "C" std::uint32_t glint_schlick_p8(std::uint16_t n, std::int32_t cos_code);
+
 #endif

@@ -36,4 +36,6 @@ struct glint_spherical_gaussian_p16_constants {
     }
 };
 
+extern "C" std::uint32_t glint_spherical_gaussian_p16(std::uint16_t n, std::int32_t cos_code);
+
 #endif

@@ -33,4 +33,6 @@ struct glint_spherical_gaussian_p8_constants {
     }
 };
 
+extern "C" std::uint32_t glint_spherical_gaussian_p8(std::uint16_t n, std::int32_t cos_code);
+
 #endif

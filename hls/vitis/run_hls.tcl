@@ -22,7 +22,7 @@ if {![file readable $vectors]} {
 if {[catch {
     open_project -reset $top
     set_top $top
-    add_files [file join $hls glint_$lobe.cpp] -cflags "-std=c++14"
+    add_files [file join $hls generated $top.cpp] -cflags "-std=c++14"
     add_files -tb [file join $hls testbench.cpp] -cflags "-std=c++14 -DGLINT_TOP=$top"
     open_solution -reset solution -flow_target vivado
     set_part [choice GLINT_PART xc7a35tcpg236-1]

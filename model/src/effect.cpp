@@ -101,6 +101,14 @@ std::vector<Intermediate> EffectModel::trace(std::span<const std::int64_t> in) c
     return intermediates(codes.data());
 }
 
+std::vector<Intermediate> EffectModel::after_inputs(const std::int64_t* in,
+                                                    std::initializer_list<Intermediate> values) const {
+    std::vector<Intermediate> out;
+    for (std::size_t p = 0; p < inputs_.size(); ++p) out.push_back({inputs_[p].name, in[p], inputs_[p].fraction_bits});
+    out.insert(out.end(), values);
+    return out;
+}
+
 std::vector<double> EffectModel::legal(std::span<const double> in) const {
     if (in.size() != inputs_.size()) {
         throw Error(fmt::format("{} values are not legal for {}: {}", in.size(), effect_, inputs_.size()));

@@ -11,19 +11,6 @@ namespace glint {
 
 namespace {
 
-std::string markdown(const HardCaseTable& table) {
-    const auto line = [](const std::vector<std::string>& cells) {
-        std::string out = "|";
-        for (const std::string& cell : cells) out += fmt::format(" {} |", cell);
-        return out + '\n';
-    };
-    std::string out = fmt::format("\n## {}\n\n{}|", table.title, line(table.columns));
-    for (std::size_t i = 0; i < table.columns.size(); ++i) out += "---|";
-    out += '\n';
-    for (const std::vector<std::string>& row : table.rows) out += line(row);
-    return out;
-}
-
 /// Of an effect with more ports than these a row has only what differs from the first case.
 constexpr std::size_t most_ports = 12;
 
@@ -53,7 +40,7 @@ HardCaseTable hard_case_table(const Lobe& lobe) {
         for (std::size_t i = 0; i < cases.size(); ++i) {
             const HardCase& c = cases[i];
             const PortResult result = model->eval_port(c.n, c.cos_code);
-            if (out.rows[i].empty()) out.rows[i] = {c.name, c.risk, c.covered};
+            if (out.rows[i].empty()) out.rows[i] = {c.name, c.risk, fmt::format("{}", fmt::join(c.covered, ", "))};
             out.rows[i].push_back(
                 fmt::format("{}, {} -> {}{}", c.n, c.cos_code, result.y, result.clamped ? " clamped" : ""));
         }
@@ -94,51 +81,45 @@ HardCaseTable render_case_table() {
         4,
         {
             {"light, viewer and normal in one line", "the peak is missed, or exceeds what the ports can carry",
-             "ambient and diffuse light and the peak of the lobe, each within 2 ulp",
-             "shading: light, viewer and normal in one line"},
+             "ambient and diffuse light and the peak of the lobe, each within 2 ulp", "one-line"},
             {"L = -V", "there is no half vector: L + V is 0, and its length divides", "N.H counts as 0",
-             "shading: L = -V, no half vector"},
+             "no-half-vector"},
             {"light behind the surface", "a lobe or a negative N.L shines through it", "ambient light alone",
-             "shading: light behind the surface"},
+             "light-behind"},
             {"N.L of 0 and of 1 ulp", "the lobe is cut a code too early or too late",
-             "nothing at 0, the whole lobe at 1 ulp", "shading: grazing light, N.L of 0 and of 1 ulp"},
+             "nothing at 0, the whole lobe at 1 ulp", "grazing-light"},
             {"normal of length 0, infinite or NaN", "a division by 0; NaN as a code", "ambient light alone",
-             "shading: normals of length 0 and other than 1"},
+             "normal-length"},
             {"normal of another length than 1", "dot products are off by it", "that of the unit normal",
-             "shading: normals of length 0 and other than 1"},
-            {"dot product above 1", "a code beyond the legal range", "counts as 1; corrections are counted",
-             "shading: dot products above 1"},
+             "normal-length"},
+            {"dot product above 1", "a code beyond the legal range", "counts as 1; corrections are counted", "above-1"},
             {"light at the very point, attenuation 0 beside it", "0 / 0; an intensity beyond the port",
-             "ambient light alone; the greatest code", "shading: a light at the very point, and a surface at the eye"},
-            {"surface at the eye", "V has no direction", "a finite colour",
-             "shading: a light at the very point, and a surface at the eye"},
-            {"position that is NaN", "NaN reaches a port or the picture", "ambient light alone",
-             "shading: a position that is no number"},
+             "ambient light alone; the greatest code", "distance-0"},
+            {"surface at the eye", "V has no direction", "a finite colour", "distance-0"},
+            {"position that is NaN", "NaN reaches a port or the picture", "ambient light alone", "no-number"},
             {"no light", "an empty sum; units that are not called for",
-             "ambient light alone; without that, no unit and black", "shading: no light"},
+             "ambient light alone; without that, no unit and black", "no-light"},
             {"nothing to shade", "a division by 0 fragments; a check on nothing that passes",
-             "the background; --compare fails: nothing was shaded", "shading: nothing to shade shows the background"},
+             "the background; --compare fails: nothing was shaded", "nothing-to-shade"},
             {"light inside the surface", "the far side is lit through it", "black where there is no ambient light",
-             "render.hardcases"},
-            {"light on the surface", "an infinite intensity", "a finite picture", "render.hardcases"},
+             "scenes"},
+            {"light on the surface", "an infinite intensity", "a finite picture", "scenes"},
             {"camera inside, camera behind", "surfaces seen from behind are black", "a surface has two sides",
-             "render.hardcases"},
-            {"empty scene: a model without a face", "a picture of nothing", "one line, exit status 2",
-             "obj: NaN, vertices that are not there, nothing to see"},
+             "scenes"},
+            {"empty scene: a model without a face", "a picture of nothing", "one line, exit status 2", "obj-refused"},
             {"NaN or infinity in an OBJ", "it spreads over the picture", "one line with file and line, exit status 2",
-             "obj: NaN, vertices that are not there, nothing to see"},
+             "obj-refused"},
             {"NaN or infinity in an MTL", "it becomes a parameter of a unit",
-             "one line with file and line, exit status 2", "mtl: what is no finite number is refused with its line"},
-            {"degenerate triangle", "its normal is 0 / 0", "it is left out, with a warning",
-             "obj: degenerate triangles are left out, with a warning"},
+             "one line with file and line, exit status 2", "mtl-refused"},
+            {"degenerate triangle", "its normal is 0 / 0", "it is left out, with a warning", "obj-degenerate"},
             {"missing normals", "flat or black surfaces", "those of the faces around, up to an edge of 60 degrees",
-             "obj: missing normals are those of the faces around, up to an edge of 60 degrees"},
+             "obj-no-normals"},
             {"normals of length 0 and not 1 in an OBJ", "a division by 0", "that of the face; unit length",
-             "obj: normals of length 0 and other than 1"},
+             "obj-normal-length"},
             {"Ns beyond 1 .. 1023", "an exponent that the port cannot carry", "the nearest legal one, with one warning",
-             "mtl: Ns is the exponent, halves away from zero, cut to 1 .. 1023 with one warning"},
+             "mtl-exponent"},
             {"material that a model cannot take", "a parameter beyond its legal range", "the nearest, with a warning",
-             "mtl: what a model cannot take counts as the nearest that it can, with a warning"},
+             "mtl-nearest"},
         }};
 }
 
@@ -148,40 +129,29 @@ HardCaseTable stream_case_table() {
             4,
             {
                 {"stall with a full pipeline", "a result is overwritten or shown twice", "every result once, in order",
-                 "cosim.exhaustive_stalls_p8, cosim.heavy_stalls, formal.bps"},
+                 "exhaustive-stalls, heavy-stalls, handshake"},
                 {"bubbles among inputs", "a bubble comes out as a result", "as many results as inputs",
-                 "cosim.stalls, formal.bps"},
+                 "stalls, handshake"},
                 {"stall in the clock in which the skid buffer fills", "the item in flight is lost",
-                 "it waits in the spare register", "cosim.axis_stalls, formal.skid, formal.axis.bps"},
+                 "it waits in the spare register", "axis-stalls, skid, axis-handshake"},
                 {"reset in mid-stream", "old results come out after it", "nothing of what was in flight",
-                 "cosim.reset, formal.bps, formal.axis.bps"},
+                 "reset, handshake, axis-handshake"},
                 {"random register contents at power-up", "a register without reset shows",
-                 "only valid bits count, and they are reset",
-                 "every cosim run (registers start random), formal.bps, formal.axis.bps (any contents)"},
+                 "only valid bits count, and they are reset; in simulation all others start random",
+                 "exhaustive, handshake, axis-handshake"},
                 {"another n on every clock", "operands of neighbours mix", "each result is of its own input",
-                 "cosim.stalls, cosim.reset, replay by Icarus"},
+                 "stalls, reset, replay"},
             }};
 }
 
 std::string_view hard_case_legend() {
-    return "For each named case: the input, what could go wrong, what\n"
-           "comes out, and by which test or proof it is covered. `cosim.*`, `formal.*` are CTest names; hls, proof "
-           "(Gappa, for "
-           "all\n"
-           "inputs) and oracle are CTest labels; `unit` is a test case of glint-unit-tests.\n"
-           "The cases of an effect are the first inputs of cosim.effects and of its kernels (label hls), and unit "
-           "holds\n"
-           "them against the real function, at every profile; p12 stands for the others here. Pictures have no input "
-           "of a\n"
-           "unit: their test cases are those of glint-render-tests.\n";
-}
-
-std::string hard_cases_page() {
-    std::string out = "# Hard cases\n\nWritten by `glint cases`; a test keeps it current. ";
-    out += hard_case_legend();
-    for (const Lobe& lobe : lobes()) out += markdown(hard_case_table(lobe));
-    for (const Effect& effect : effects()) out += markdown(effect_case_table(effect));
-    return out + markdown(render_case_table()) + markdown(stream_case_table());
+    return "For each named case: the input, what could go wrong, what comes out, and the ids of the tests and proofs "
+           "that\n"
+           "cover it. A test looks up every id in the list of tests. The cases of an effect are the first inputs of "
+           "its\n"
+           "cosimulation and of the test of its kernel, and a unit test holds them against the real function, at "
+           "every\n"
+           "profile; p12 stands for the others here. Pictures have no input of a unit.\n";
 }
 
 }  // namespace glint

@@ -24,6 +24,7 @@ from fractions import Fraction
 
 HERE = pathlib.Path(__file__).resolve().parent
 AGREEMENT = 0.01
+LOBE = "bps"  # whose formula PROGRAM has
 
 PROGRAM = """
 prec = 200!;
@@ -63,7 +64,7 @@ def constants(path):
     published = dict(re.findall(r"(?m)^(a|b|c1|d0) = (-?[\d.]+);$", text))
     rounded = dict(re.findall(r"(?m)^(a_K|b_K|c1_K|d0_K) = (-?\d+)b-\d+;$", text))
     if not found or len(published) != 4 or len(rounded) != 4:
-        raise UsageError(f"{path} is not a script of the lobe bps")
+        raise UsageError(f"{path} is not a script of the lobe {LOBE}")
     exact = {name: f"({Fraction(value)})" for name, value in published.items()}
     return dict(zip("FSKO", found.groups()), **exact, **rounded)
 
@@ -83,7 +84,7 @@ def bounds(sollya, path):
 
 
 def main():
-    parser = argparse.ArgumentParser(description="The proven bounds of bps against those of Sollya.",
+    parser = argparse.ArgumentParser(description=f"The proven bounds of {LOBE} against those of Sollya.",
                                      epilog="Example: sollya.py proofs.json")
     parser.add_argument("proofs", type=pathlib.Path, help="a file that run.py --json wrote")
     parser.add_argument("--scripts", type=pathlib.Path, default=HERE / "generated", metavar="FOLDER",
@@ -95,7 +96,7 @@ def main():
         raise UsageError(f"program '{options.sollya}' not found; install the package `sollya`")
     try:
         proofs = [(proof["profile"], options.scripts / proof["script"], proof["proven_ulp"])
-                  for proof in json.loads(options.proofs.read_text())["proofs"] if proof["lobe"] == "bps"]
+                  for proof in json.loads(options.proofs.read_text())["proofs"] if proof["lobe"] == LOBE]
     except (OSError, ValueError, KeyError, TypeError) as error:
         raise UsageError(f"{options.proofs} is not a file of run.py --json with proven bounds: "
                          f"{type(error).__name__} {error}") from error
@@ -117,7 +118,7 @@ def main():
         if abs(bound - proven) > AGREEMENT:
             failures.append(f"{profile}: the bounds differ by more than {AGREEMENT} ulp")
     if not proofs:
-        failures.append("no proof of bps in the file")
+        failures.append(f"no proof of {LOBE} in the file")
     for failure in failures:
         print(f"FAILED: {failure}")
     return 1 if failures else 0

@@ -1,6 +1,6 @@
 // glint_bps: the specular highlight f_bps (cubic of Schlick's rational form) in fixed point.
 //
-// The arithmetic is the section `bps` of docs/contract.md; a value here carries the name that it has there.
+// The arithmetic is that of docs/lobes/bps.md; a value here carries the name that it has there.
 // Do not instantiate this module by hand: the constants A, B, C1, D0 come from the model (`glint emit`), which
 // writes one wrapper per profile (rtl/generated/). Table of ports and parameters, latency, handshake: docs/rtl.md.
 
@@ -99,7 +99,7 @@ module glint_bps #(
     );
 
     // h1 = b + rnd(a q, S), h2 = c1 + rnd(h1 q, S), y = max(0, rnd(h2 q + d0 2^S, S + K - O)). With 0 <= q <= 1 and the
-    // constants of f_bps (proof: docs/contract.md), as real numbers:
+    // constants of f_bps (proof: docs/lobes/bps.md), as real numbers:
     //   -1.64 < a q  <= 0         h1 from  1.36 to 3.00
     //       0 <= h1 q < 3.00      h2 from -0.38 to 1.01
     //   -0.02 < h2 q < 1.01       y  from -0.02 to 1.00

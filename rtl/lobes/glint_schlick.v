@@ -1,6 +1,6 @@
 // glint_schlick: Schlick's rational approximation of the specular highlight in fixed point.
 //
-// The arithmetic is the section `schlick` of docs/contract.md; a value here carries the name that it has there. Table of
+// The arithmetic is that of docs/lobes/schlick.md; a value here carries the name that it has there. Table of
 // ports and parameters, latency, handshake: docs/rtl.md.
 
 `default_nettype none

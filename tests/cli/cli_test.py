@@ -452,10 +452,10 @@ class Emit(Case):
     def test_list(self):
         text = self.good("emit", "--lobe", "bps", "--profile", "p8,p12,p16", "-o", "out")
         self.equal(sorted(text.splitlines()), self.files())
-        self.equal(len(self.files()), 12 + 6 + 1)
+        self.equal(len(self.files()), 15 + 6 + 1)
 
     def test_targets(self):
-        every = {"verilog": ["glint_bps_axis_p12.f", "glint_bps_axis_p12.v", "glint_bps_p12.f", "glint_bps_p12.v", "units.json"], "hls": ["glint_bps_p12_constants.hpp"],
+        every = {"verilog": ["glint_bps_axis_p12.f", "glint_bps_axis_p12.v", "glint_bps_p12.f", "glint_bps_p12.v", "units.json"], "hls": ["glint_bps_p12.cpp", "glint_bps_p12_constants.hpp"],
                  "proof": ["glint_bps_p12.g"]}
         self.good("emit", "--target", "all", "-o", "all")
         self.equal(self.files(), sorted(f"all/{name}" for names in every.values() for name in names))
@@ -472,7 +472,7 @@ class Emit(Case):
             text = self.good("emit", "--profile", profile, "-o", "out")
             bound = rf"\d\.\d+ ulp, measured over all {inputs} inputs" if inputs else r"not shown \(.*\)"
             self.matches(text, rf"\nbps {profile}: rounding error {bound}\n\Z")
-            names = (f"{name}.v", f"axis_{name}.v", f"{name}_constants.hpp", f"{name}.g")
+            names = (f"{name}.v", f"axis_{name}.v", f"{name}_constants.hpp", f"{name}.cpp", f"{name}.g")
             lists = ["units.json", f"glint_bps_{name}.f", f"glint_bps_axis_{name}.f"]
             self.equal(text.splitlines()[:-1], [f"out/{file}" for file in [f"glint_bps_{ending}" for ending in names] + lists])
             F, _, _, O = map(int, profile.split(","))

@@ -16,11 +16,7 @@
 #include "glint/error.hpp"
 #include "glint/vectors.hpp"
 
-// hls_effect_kernels.inc: one GLINT_KERNEL(top, effect, profile, arguments) for every kernel that the object files
-// hold.
-#define GLINT_KERNEL(top, effect, profile, ...) extern "C" void top __VA_ARGS__;
-#include "hls_effect_kernels.inc"
-#undef GLINT_KERNEL
+#include "hls_effect_headers.inc"  // declares the top functions
 
 namespace {
 
@@ -54,8 +50,9 @@ struct Kernel {
     void (*run)(Pins&);
 };
 
+// hls_effect_kernels.inc: one GLINT_KERNEL(top, effect, profile) for every kernel that the object files hold.
 const Kernel kernels[] = {
-#define GLINT_KERNEL(top, effect, profile, ...) {effect, profile, [](Pins& pins) { call(top, pins); }},
+#define GLINT_KERNEL(top, effect, profile) {effect, profile, [](Pins& pins) { call(top, pins); }},
 #include "hls_effect_kernels.inc"
 #undef GLINT_KERNEL
 };

@@ -23,10 +23,7 @@
 #include "glint/parallel.hpp"
 #include "glint/vectors.hpp"
 
-// hls_kernels.inc: one GLINT_KERNEL(top, lobe, profile) for every kernel that the object files hold.
-#define GLINT_KERNEL(top, lobe, profile) extern "C" std::uint32_t top(std::uint16_t n, std::int32_t cos_code);
-#include "hls_kernels.inc"
-#undef GLINT_KERNEL
+#include "hls_headers.inc"  // declares the top functions
 
 namespace {
 
@@ -36,6 +33,7 @@ struct Kernel {
     std::uint32_t (*top)(std::uint16_t n, std::int32_t cos_code);
 };
 
+// hls_kernels.inc: one GLINT_KERNEL(top, lobe, profile) for every kernel that the object files hold.
 const Kernel kernels[] = {
 #define GLINT_KERNEL(top, lobe, profile) {lobe, profile, top},
 #include "hls_kernels.inc"

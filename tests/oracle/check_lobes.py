@@ -27,10 +27,12 @@ def check_lobe(glint, lobe, checks):
             output, message, status = run_tool(
                 [glint, "eval", "--lobe", lobe, "--profile", name, "--n", n, f"--cos-code={code}", "--port"])
             checks.equal(f"{lobe} {name} n={n} cos_code={code}: exit status", (status, message), (0, ""))
-            answered = dict(re.findall(r"^ *([A-Za-z]\w*) +(-?[0-9]+) ", output, re.MULTILINE))
-            for value in ("C", *profile.lobe.names):
-                checks.equal(f"{lobe} {name} n={n} cos_code={code}: {value} of the tool", answered.get(value),
-                             str(values[value]))
+            answered = {name: int(x) for name, x in re.findall(r"^(\w+) +(-?[0-9]+) +[0-9]+ +-?[0-9.]+$", output, re.M)}
+            printed = ["C", *(x for x in profile.lobe.names if x not in getattr(profile.lobe, "unnamed", ()))]
+            checks.equal(f"{lobe} {name} n={n} cos_code={code}: values of the tool", answered,
+                         {x: values[x] for x in printed})
+            checks.equal(f"{lobe} {name} n={n} cos_code={code}: clamped of the tool",
+                         ", clamped" in output.split("\n")[0], values["clamped"] == 1)
 
 
 def main():

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""That the oracle's programs find what is wrong: altered answers of the tool, altered copies of the document.
+"""That the oracle's programs find what is wrong: altered answers of the tool, altered copies of the documents.
 
 Exit status: 0 all was found, 1 something passed unseen, 2 no tool or no document.
 """
@@ -15,7 +15,7 @@ from pathlib import Path
 
 import oracle
 from checks import Checks, by_name, run_parts
-from document import CONTRACT, Document, Unreadable
+from document import CONTRACT, Document, Unreadable, contract_of
 
 HERE = Path(__file__).resolve().parent
 
@@ -51,7 +51,7 @@ def altered_by(program):
     return f"program='{program}'; filter \"$@\""
 
 
-def check_answers(glint, contract, checks):
+def check_answers(glint, checks):
     """oracle.py against altered answers: (what, which arguments, action, what must be printed)."""
     plain, port = "*--stdin", "*--port"
     title = {plain: "bps p8: [0-9]+ inputs", port: "bps p8 --port: [0-9]+ inputs"}
@@ -73,8 +73,7 @@ def check_answers(glint, contract, checks):
     with tempfile.TemporaryDirectory() as folder:
         for what, pattern, action, printed in cases:
             tool = altered_tool(glint, folder, pattern, action)
-            status, output, _ = run(HERE / "oracle.py", "--glint", tool, "--contract", contract, "--profile", "p8",
-                                    "--count", "1000")
+            status, output, _ = run(HERE / "oracle.py", "--glint", tool, "--profile", "p8", "--count", "1000")
             checks.equal(f"{what}, exit status", status, 0 if what == "nothing" else 1)
             expected = printed if printed.startswith("bps") else title[pattern] + printed
             checks.true(f"{what}, output: {output}", re.search(expected, output))
@@ -86,11 +85,12 @@ def check_answers(glint, contract, checks):
     checks.true("no inputs are named", "nothing was compared" in output.getvalue())
 
 
-def check_usage(glint, contract, checks):
+def check_usage(glint, checks):
     """Exit status 2 and one clear line: no tool, no document, no such profile."""
     cases = (("oracle.py", "--glint", "/nonexistent/glint"), ("check_tool.py", "--glint", "/nonexistent/glint"),
              ("oracle.py", "--glint", HERE), ("oracle.py", "--glint", glint, "--contract", "/nonexistent/contract.md"),
-             ("check_document.py", "--contract", "/nonexistent/contract.md"),
+             ("check_document.py", "--document", "/nonexistent/contract.md"),
+             ("check_bps.py", "--document", "/nonexistent/bps.md"),
              ("oracle.py", "--glint", glint, "--profile", "8,30,4,4"),
              ("oracle.py", "--glint", glint, "--profile", "p9"),
              ("oracle.py", "--glint", glint, "--profile", "p8,18,14,14"))
@@ -100,13 +100,12 @@ def check_usage(glint, contract, checks):
         checks.equal(f"{command}, lines", (output, len(errors.splitlines())), ("", 1))
 
 
-def check_tool_checks(glint, contract, checks):
+def check_tool_checks(glint, checks):
     """Parts of check_tool.py against a tool that breaks them: (part, which arguments, action, first failure)."""
     cases = (
         ("profiles", r"*,30,4,4\ *", "exit 0", "profile '[0-9]+,30,4,4' is not legal, exit status: 0 where 2 is right"),
         ("cosines", "*", altered_by("s/code 131071/code 131070/"), "p8 cosine .*: 131070 where 131071 is right"),
         ("refused_inputs", "*--stdin", '"$glint" "$@"; exit 0', "p8 0 -131072, exit status: 0 where 2 is right"),
-        ("intermediates", "*", altered_by("s/^h1  /h1 1/"), "p8 1 0: {.*} where {.*} is right"),
         ("vectors", "*hex*", '"$glint" "$@" && sed -i s/a/A/ "$last"/*.hex', "hex p8, format of '.*A.*'"),
         ("vectors", "*hex*", '"$glint" "$@" && truncate -s -1 "$last"/*.hex', "hex p8 is ASCII with line feeds"),
         ("vectors", r"*\ tv\ *", """ "$glint" "$@" && sed -i '9s/ 1$/ 0/' "$last"/*.tv""",
@@ -118,66 +117,83 @@ def check_tool_checks(glint, contract, checks):
     with tempfile.TemporaryDirectory() as folder:
         for part, pattern, action, failure in cases:
             tool = altered_tool(glint, folder, pattern, action)
-            status, output, _ = run(HERE / "check_tool.py", "--glint", tool, "--contract", contract, "--part", part)
+            status, output, _ = run(HERE / "check_tool.py", "--glint", tool, "--part", part)
             checks.equal(f"{part} with `{action}`, exit status", status, 1)
             checks.true(f"{part} with `{action}`: {output}",
                         re.search(rf"^{part}: [0-9]+ checks, [1-9][0-9]* failures\n  {failure}", output, re.M))
 
 
-def check_document_checks(glint, contract, checks):
-    """Each part of check_document.py against a copy of the document with figures altered: (part, failures, figures)."""
-    text = Document(contract).text
+def check_lobe_checks(glint, checks):
+    """check_lobes.py against a tool with another h1, with a value too many, and without `clamped`."""
+    cases = ((altered_by("s/^h1  /h1 1/"), "values of the tool: {.*} where {.*} is right"),
+             (altered_by("s/^\\(h1 *\\)\\(.*\\)/&\\nh3 \\2/"), "values of the tool: {.*} where {.*} is right"),
+             (altered_by("s/, clamped//"), "clamped of the tool: False where True is right"))
+    with tempfile.TemporaryDirectory() as folder:
+        for action, failure in cases:
+            tool = altered_tool(glint, folder, "*", action)
+            status, output, _ = run(HERE / "check_lobes.py", "--glint", tool, "bps")
+            checks.equal(f"`{action}`, exit status", status, 1)
+            checks.true(f"`{action}`: {output}",
+                        re.search(f"^bps: [0-9]+ checks, [1-9][0-9]* failures\n  bps p8 .*: {failure}", output, re.M))
+
+
+DOCUMENT, BPS = ("check_document.py", CONTRACT), ("check_bps.py", contract_of("bps"))
+
+
+def check_document_checks(glint, checks):
+    """Each part of the programs that check a document, against a copy with figures altered: (program and document, part,
+    failures, figures)."""
     cases = (
-        ("arithmetic", 1, [("| -2 | -3 | -3 |", "| -2 | -2 | -3 |")]),
-        ("profiles", 2, [("268 174 335 |", "268 174 336 |"), ("67 044 351 (all)", "67 044 352 (all)")]),
-        ("rule_4", 2, [("66 of\nthe 6925", "65 of\nthe 6925"), ("`S >= 9`", "`S >= 8`")]),
-        ("real_function", 2, [("0.12633238", "0.12633239"), ("-0.00936969", "-0.00936968")]),
-        ("constants", 2, [("| 98140 |", "| 98141 |"), ("c1 = -0.374", "c1 = -0.375")]),
-        ("real_ranges", None, [("0 .. 1.375 + 1.5 u", "0 .. 1.375 + 0.5 u")]),
-        ("quotients", 5, [("2794 .. 6134", "2793 .. 6134"), ("5 and 270", "5 and 271"), ("0.698959", "0.698958"),
-                          ("0.755517", "0.755516"), ("3, 900484", "3, 900485")]),
-        ("quotients", None, [("| 0.682051 | 1, 65248 |", "| 0.680227 | 2, 65392 |")]),  # right, but not the worst
-        ("epicentre", None, [("`2^-52`, and", "`2^-30`, and")]),
-        ("examples", 1, [("| 1 | 8640 | 8640 | 65536 | 270 | 5694 | -15 | 1 | 1 |",
-                          "| 1 | 8640 | 8640 | 65536 | 270 | 5694 | -15 | 1 | 0 |")]),
-        ("example_in_full", 1, [("rnd(1162635984, 15)", "rnd(1162635985, 15)")]),
-        ("formats", 1, [("ffffffff0032000100000000", "ffffffff0032000000000000")]),
-        ("program", None, [("(1 << (k - 1))) >> k\n\nfor", "(1 << k)) >> k\n\nfor")]),
+        (DOCUMENT, "arithmetic", 1, [("| -2 | -3 | -3 |", "| -2 | -2 | -3 |")]),
+        (DOCUMENT, "profiles", 1, [("268 174 335 |", "268 174 336 |")]),
+        (BPS, "rule_4", 2, [("66 of\nthe 6925", "65 of\nthe 6925"), ("`S >= 9`", "`S >= 8`")]),
+        (BPS, "real_function", 2, [("0.12633238", "0.12633239"), ("-0.00936969", "-0.00936968")]),
+        (BPS, "constants", 3, [("| 98140 |", "| 98141 |"), ("c1 = -0.374", "c1 = -0.375"),
+                              ("| constants | 11 | 15 |", "| constants | 11 | 14 |")]),
+        (BPS, "real_ranges", None, [("0 .. 1.375 + 1.5 u", "0 .. 1.375 + 0.5 u")]),
+        (BPS, "quotients", 6, [("2794 .. 6134", "2793 .. 6134"), ("5 and 270", "5 and 271"), ("0.698959", "0.698958"),
+                               ("0.755517", "0.755516"), ("3, 900484", "3, 900485"),
+                               ("67 044 351 (all)", "67 044 352 (all)")]),
+        (BPS, "quotients", None, [("| 0.682051 | 1, 65248 |", "| 0.680227 | 2, 65392 |")]),  # right, but not the worst
+        (DOCUMENT, "epicentre", None, [("`2^-52`, and", "`2^-30`, and")]),
+        (BPS, "examples", 1, [("| 256 | 5717 |", "| 257 | 5717 |")]),
+        (BPS, "example_in_full", 1, [("rnd(1162635984, 15)", "rnd(1162635985, 15)")]),
+        (DOCUMENT, "formats", 1, [("ffffffff0032000100000000", "ffffffff0032000000000000")]),
+        (BPS, "program", None, [("(1 << (k - 1))) >> k\n\nfor", "(1 << k)) >> k\n\nfor")]),
     )
     with tempfile.TemporaryDirectory() as folder:
-        path = Path(folder) / "contract.md"
-        for part, failures, figures in cases:
-            altered = text
+        path = Path(folder) / "altered.md"
+        for (program, document), part, failures, figures in cases:
+            altered = Document(document).text
             for old, new in figures:
                 checks.true(f"the document holds '{old}'", old in altered)
                 altered = altered.replace(old, new, 1)
             path.write_text(altered, encoding="utf-8")
-            status, output, errors = run(HERE / "check_document.py", "--contract", path, "--part", part)
+            status, output, errors = run(HERE / program, "--document", path, "--part", part)
             checks.equal(f"{part}, exit status", status, 1)
             count = re.search(f"^{part}: [0-9]+ checks, ([0-9]+) failures", output, re.M)
             found = int(count[1]) if count else -1
             checks.true(f"{part}, failures: {output}{errors}", found > 0 if failures is None else found == failures)
 
 
-def check_nothing(glint, contract, checks):
+def check_nothing(glint, checks):
     """A part that checks nothing fails."""
     with contextlib.redirect_stdout(io.StringIO()) as output:
         checks.true("no checks fail", not Checks("a part without checks").finish())
     checks.true("no checks are named", "nothing was checked" in output.getvalue())
 
 
-PARTS = by_name(check_answers, check_usage, check_tool_checks, check_document_checks, check_nothing)
+PARTS = by_name(check_answers, check_usage, check_tool_checks, check_lobe_checks, check_document_checks, check_nothing)
 
 
 def main():
     parser = argparse.ArgumentParser(description="That the oracle's programs find what is wrong.")
     parser.add_argument("--glint", required=True, help="the tool")
-    parser.add_argument("--contract", type=Path, default=CONTRACT)
     parser.add_argument("--part", nargs="+", choices=PARTS, help="only these")
     arguments = parser.parse_args()
     try:
         oracle.run_tool([arguments.glint, "--version"])
-        return 0 if run_parts(PARTS, arguments.part, arguments.glint, arguments.contract) else 1
+        return 0 if run_parts(PARTS, arguments.part, arguments.glint) else 1
     except (oracle.Refused, Unreadable) as error:
         print(f"check_oracle: {error}", file=sys.stderr)
         return 2

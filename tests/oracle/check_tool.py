@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """What docs/contract.md says beyond y for legal inputs, against the tool: which profiles, cosines and inputs are
-refused, every intermediate of the worked examples, the file formats, the error measures.
+refused, the file formats, the error measures.
 
-Exit status: 0 all hold, 1 some do not, 2 no tool or no document.
+Exit status: 0 all hold, 1 some do not, 2 no tool.
 """
 
 import argparse
@@ -18,13 +18,12 @@ from pathlib import Path
 
 import oracle
 from checks import by_name, run_parts
-from document import CONTRACT, Document, Unreadable
 from oracle import Profile, Refused, run_tool
 
 
 class Tool:
-    def __init__(self, path, document):
-        self.path, self.document = path, document
+    def __init__(self, path):
+        self.path = path
 
     def run(self, *arguments, text=None):
         return run_tool([self.path, *arguments], text)
@@ -122,24 +121,6 @@ def check_refused_inputs(tool, checks):
             refused(checks, f"{name} {n} {code} --port", tool.eval(name, "--stdin", "--port", text=f"{n} {code}\n"))
         for line in ("", "50", "50 x", "x 50", "1.5 3", "50 3x", "50,3", "50 3 4", "0x10 3"):
             refused(checks, f"{name} line '{line}'", tool.eval(name, "--stdin", "--port", text=line + "\n"))
-
-
-# Section "Worked examples"
-
-
-def check_intermediates(tool, checks):
-    """Each value that `glint eval` prints for one input, by its name; the last y is the answer."""
-    for name, rows in tool.document.examples().items():
-        profile = Profile("bps", name)
-        for row in rows:
-            n, code = row["n"], row["cos_code"]
-            output, _, status = tool.eval(name, "--port", "--n", str(n), f"--cos-code={code}")
-            checks.equal(f"{name} {n} {code}, exit status", status, 0)
-            got = dict(re.findall(r"^(\w+) +(-?[0-9]+) +[0-9]+ +-?[0-9.]+$", output, re.M))
-            values = oracle.intermediates(profile, n, code)
-            want = {key: values[key] for key in ("C", "D", "quotient", "h1", "h2", "y")}
-            checks.equal(f"{name} {n} {code}", {key: int(x) for key, x in got.items()}, want)
-            checks.equal(f"{name} {n} {code} clamped", ", clamped" in output.split("\n")[0], values["clamped"] == 1)
 
 
 # Section "File formats"
@@ -273,18 +254,17 @@ def check_measures(tool, checks):
                     checks.true(f"{what}, RMS of {key} is {mean}, not {got[rms]}", abs(got[rms] - mean) <= 1e-9 * mean)
 
 
-PARTS = by_name(check_profiles, check_cosines, check_refused_inputs, check_intermediates, check_vectors, check_measures)
+PARTS = by_name(check_profiles, check_cosines, check_refused_inputs, check_vectors, check_measures)
 
 
 def main():
-    parser = argparse.ArgumentParser(description="Refusals, intermediates, file formats and measures of the tool.")
+    parser = argparse.ArgumentParser(description="Refusals, file formats and measures of the tool.")
     parser.add_argument("--glint", required=True, help="the tool")
-    parser.add_argument("--contract", type=Path, default=CONTRACT)
     parser.add_argument("--part", nargs="+", choices=PARTS, help="only these")
     arguments = parser.parse_args()
     try:
-        return 0 if run_parts(PARTS, arguments.part, Tool(arguments.glint, Document(arguments.contract))) else 1
-    except (Refused, Unreadable) as error:
+        return 0 if run_parts(PARTS, arguments.part, Tool(arguments.glint)) else 1
+    except Refused as error:
         print(f"check_tool: {error}", file=sys.stderr)
         return 2
 

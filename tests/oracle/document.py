@@ -1,16 +1,20 @@
-"""What docs/contract.md says, as data: its tables and its worked examples."""
+"""What docs/contract.md and docs/lobes say, as data: its tables and its worked examples."""
 
+import argparse
 import re
+import sys
 from pathlib import Path
+
+from checks import run_parts
 
 
 DOCS = Path(__file__).resolve().parents[2] / "docs"
-CONTRACT = DOCS / "contract.md"  # what is common to all lobes, and bps
+CONTRACT = DOCS / "contract.md"  # what is common to all lobes
 
 
 def contract_of(lobe):
     """The document that prescribes a lobe."""
-    return CONTRACT if lobe == "bps" else DOCS / "lobes" / f"{lobe}.md"
+    return DOCS / "lobes" / f"{lobe}.md"
 
 
 class Unreadable(Exception):
@@ -106,3 +110,16 @@ class Document:
                 elif not re.fullmatch(r"[|:\- ]+", line):
                     examples[profile].append(dict(zip(header, map(integer, cells), strict=True)))
         return examples
+
+
+def check(parts, path):
+    """The command line of a program that checks a document in parts. Exit status: 0, 1 or, when unreadable, 2."""
+    parser = argparse.ArgumentParser(description=f"The tables and figures of {path.relative_to(DOCS.parent)}, recomputed.")
+    parser.add_argument("--document", type=Path, default=path, help="another copy of it")
+    parser.add_argument("--part", nargs="+", choices=parts, help="only these")
+    arguments = parser.parse_args()
+    try:
+        return 0 if run_parts(parts, arguments.part, Document(arguments.document)) else 1
+    except Unreadable as error:
+        print(f"{Path(sys.argv[0]).stem}: {error}", file=sys.stderr)
+        return 2

@@ -4,8 +4,8 @@
 #include <cstring>
 
 #include "catch.hpp"
-#include "glint/bps.hpp"
 #include "glint/error.hpp"
+#include "glint/lobes.hpp"
 #include "glint/reference.hpp"
 #include "glint/sweep.hpp"
 
@@ -65,7 +65,7 @@ TEST_CASE("sweeps measure what the contract defines") {
                           Case{"p12", {990, 1023, 1}, {255000, 262144, 1}}, Case{"p12", {50, 50, 1}, {0, 262144, 1}},
                           Case{"p16", {2, 1000, 499}, {1000000, 1048576, 3}}, Case{"p16", {1, 3, 1}, {0, 3, 1}}}) {
         CAPTURE(c.profile, c.n.first, c.codes.first);
-        const auto model = make_bps(parse_profile(c.profile));
+        const auto model = find_lobe("bps").golden(parse_profile(c.profile));
         const Accuracy want = plain_accuracy(*model, c.n, c.codes);
         const SweepResult got = sweep(*model, c.n, c.codes);
         CHECK(got.rows.size() == static_cast<std::size_t>(c.n.size()));
@@ -80,7 +80,7 @@ TEST_CASE("sweeps measure what the contract defines") {
 }
 
 TEST_CASE("rows add up to the total") {
-    const auto model = make_bps(parse_profile("p8"));
+    const auto model = find_lobe("bps").golden(parse_profile("p8"));
     const SweepResult all = sweep(*model, {1, 1023, 100}, {0, 65536, 1});
     Accuracy total;
     for (const AccuracyRow& row : all.rows) {
@@ -93,7 +93,7 @@ TEST_CASE("rows add up to the total") {
 }
 
 TEST_CASE("threads do not change a bit of the result") {
-    const auto model = make_bps(parse_profile("p8"));
+    const auto model = find_lobe("bps").golden(parse_profile("p8"));
     const SweepResult one = sweep(*model, {1, 64, 1}, {0, 65536, 1}, 1);
     const SweepResult three = sweep(*model, {1, 64, 1}, {0, 65536, 1}, 3);
     CHECK(std::memcmp(&one.total, &three.total, sizeof one.total) == 0);
@@ -112,7 +112,7 @@ TEST_CASE("of equal worst cases the least n, then the least code, is named") {
 }
 
 TEST_CASE("a sweep of nothing is refused") {
-    const auto model = make_bps(parse_profile("p8"));
+    const auto model = find_lobe("bps").golden(parse_profile("p8"));
     CHECK_THROWS_AS(sweep(*model, {5, 4, 1}, {0, 10, 1}), Error);
     CHECK_THROWS_AS(sweep(*model, {1, 4, 1}, {10, 0, 1}), Error);
 }
@@ -120,7 +120,7 @@ TEST_CASE("a sweep of nothing is refused") {
 TEST_CASE("rounding error under 1 ulp at every legal input of the shipped profiles") {
     std::uint64_t inputs = 0;
     for (const Profile& profile : shipped_profiles()) {
-        const auto model = make_bps(profile);
+        const auto model = find_lobe("bps").golden(profile);
         const SweepResult result = sweep(*model, {1, max_n, 1}, {0, profile.one(), 1});
         CAPTURE(profile.name, result.total.rounding.n, result.total.rounding.cos_code);
         CHECK(result.total.rounding.value < 1.0);

@@ -1,15 +1,13 @@
-#include "glint/bps.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <string>
 
-#include "catch.hpp"
 #include "glint/error.hpp"
 #include "glint/fixed_point.hpp"
 #include "glint/reference.hpp"
 #include "glint/vectors.hpp"
+#include "lobe_checks.hpp"
 
 using namespace glint;
 
@@ -24,11 +22,24 @@ Wide floor_div(Wide x, Wide y) {
 }
 Wide wide_rnd(Wide x, int k) { return floor_div(x + ((Wide{1} << k) >> 1), Wide{1} << k); }
 
+/// The word lengths, and the published constants at K fraction bits.
+struct Format {
+    int F, S, K, O;
+    std::int64_t a = constant(reference::bps_constants.a), b = constant(reference::bps_constants.b),
+                 c1 = constant(reference::bps_constants.c1), d0 = constant(reference::bps_constants.d0);
+    std::int64_t constant(double published) const { return quantize_constant(published, K); }
+};
+
+Format format_of(const Profile& profile) {
+    const auto numbers = profile.shipped() ? find_lobe("bps").numbers(profile.F, profile.O) : profile.custom;
+    return {numbers[0], numbers[1], numbers[2], numbers[3]};
+}
+
 struct Plain {
     Wide D, quotient, h1, h2, y;
 };
 
-Plain plain(const BpsFormat& f, int n, std::int64_t C) {
+Plain plain(const Format& f, int n, std::int64_t C) {
     Plain x{};
     x.D = n * (Wide{1} << f.F) - (n - 1) * Wide{C};
     x.quotient = floor_div(Wide{C} << f.S, x.D);
@@ -36,14 +47,6 @@ Plain plain(const BpsFormat& f, int n, std::int64_t C) {
     x.h2 = f.c1 + wide_rnd(x.h1 * x.quotient, f.S);
     x.y = std::max<Wide>(0, wide_rnd(x.h2 * x.quotient + (Wide{f.d0} << f.S), f.S + f.K - f.O));
     return x;
-}
-
-std::int64_t value(const std::vector<Intermediate>& trace, std::string_view name) {
-    for (const Intermediate& i : trace) {
-        if (i.name == name) return i.code;
-    }
-    FAIL("no intermediate " << name);
-    return 0;
 }
 
 const std::vector<std::string> formats{"p8",          "p12",       "p16",         "8,4,7,4",     "30,30,30,28",
@@ -54,8 +57,8 @@ const std::vector<std::string> formats{"p8",          "p12",       "p16",       
 TEST_CASE("every intermediate is the contract's") {
     for (const std::string& name : formats) {
         const Profile profile = parse_profile(name);
-        const BpsFormat f = bps_format(profile);
-        const auto model = make_bps(profile);
+        const Format f = format_of(profile);
+        const auto model = find_lobe("bps").golden(profile);
         for (const TestVector& v : make_vectors(*model, 20000, 7)) {
             if (v.n == 0 || v.cos_code < 0 || v.cos_code > profile.one()) continue;
             const Plain want = plain(f, v.n, v.cos_code);
@@ -73,8 +76,8 @@ TEST_CASE("hard inputs by name") {
     for (const std::string name : {"p8", "p12", "p16"}) {
         CAPTURE(name);
         const Profile profile = parse_profile(name);
-        const BpsFormat f = bps_format(profile);
-        const auto model = make_bps(profile);
+        const Format f = format_of(profile);
+        const auto model = find_lobe("bps").golden(profile);
         const int one = profile.one();
         const auto top = [&](double c, int n) { return std::ldexp(reference::bps_horner(c, n), f.O); };
 
@@ -129,7 +132,7 @@ TEST_CASE("the largest intermediates of each profile fit the widths that the Ver
     for (const std::string& name : formats) {
         CAPTURE(name);
         const Profile profile = parse_profile(name);
-        const BpsFormat f = bps_format(profile);
+        const Format f = format_of(profile);
         std::map<std::string, std::pair<Wide, Wide>> range;
         const auto note = [&](const char* what, Wide x) {
             auto& r = range.try_emplace(what, x, x).first->second;
@@ -177,11 +180,7 @@ TEST_CASE("a custom format whose result could exceed 1 is refused, by the exact 
     for (int O = 4; O <= 7; ++O) {
         for (int K = O; K <= 9; ++K) {
             for (int S = O; S <= 12; ++S) {
-                BpsFormat f{.F = 16, .S = S, .K = K, .O = O};
-                f.a = quantize_constant(reference::bps_constants.a, K);
-                f.b = quantize_constant(reference::bps_constants.b, K);
-                f.c1 = quantize_constant(reference::bps_constants.c1, K);
-                f.d0 = quantize_constant(reference::bps_constants.d0, K);
+                const Format f{16, S, K, O};
                 Wide most = 0;
                 for (Wide q = 0; q <= Wide{1} << S; ++q) {
                     const Wide h1 = f.b + wide_rnd(f.a * q, S);
@@ -191,7 +190,7 @@ TEST_CASE("a custom format whose result could exceed 1 is refused, by the exact 
                 const bool above = most > Wide{1} << O;
                 bool threw = false;
                 try {
-                    bps_format(
+                    find_lobe("bps").golden(
                         parse_profile("16," + std::to_string(S) + "," + std::to_string(K) + "," + std::to_string(O)));
                 } catch (const Error&) {
                     threw = true;
@@ -208,7 +207,7 @@ TEST_CASE("monotone in c wherever the real function rises, falling where it fall
     for (const std::string name : {"p8", "p12", "p16"}) {
         CAPTURE(name);
         const Profile profile = parse_profile(name);
-        const auto model = make_bps(profile);
+        const auto model = find_lobe("bps").golden(profile);
         // y depends on the quotient alone, and that rises with c: at n = 1 and F >= S every quotient occurs.
         const double minimum = 0.06599512;
         std::uint32_t last = model->eval(1, 0);
@@ -232,7 +231,7 @@ TEST_CASE("monotone in c wherever the real function rises, falling where it fall
 }
 
 TEST_CASE("eval refuses what is not legal; eval_port corrects it") {
-    const auto model = make_bps(parse_profile("p8"));
+    const auto model = find_lobe("bps").golden(parse_profile("p8"));
     const int one = 1 << 16;
     CHECK_THROWS_AS(model->eval(0, 0), Error);
     CHECK_THROWS_AS(model->eval(1024, 0), Error);
@@ -256,7 +255,7 @@ TEST_CASE("eval refuses what is not legal; eval_port corrects it") {
 TEST_CASE("batch gives the bits of the scalar form") {
     for (const std::string& name : formats) {
         CAPTURE(name);
-        const auto model = make_bps(parse_profile(name));
+        const auto model = find_lobe("bps").golden(parse_profile(name));
         const std::int64_t one = model->profile().one();
         Random random(99);
         // Odd lengths, so that the remainders of the lanes are met.
@@ -284,7 +283,7 @@ TEST_CASE("batch gives the bits of the scalar form") {
 }
 
 TEST_CASE("batch equals scalar at every legal input of p8") {
-    const auto model = make_bps(parse_profile("p8"));
+    const auto model = find_lobe("bps").golden(parse_profile("p8"));
     const int one = model->profile().one();
     std::vector<std::int32_t> codes;
     for (int C = 0; C <= one; ++C) codes.push_back(C);

@@ -3,10 +3,9 @@
 #include <string>
 #include <vector>
 
-#include "catch.hpp"
 #include "glint/error.hpp"
-#include "glint/lobes.hpp"
 #include "glint/sweep.hpp"
+#include "lobe_checks.hpp"
 
 using namespace glint;
 
@@ -42,12 +41,7 @@ void plain(const Format& f, int n, std::int64_t C, Plain& x) {
     x.p.pop_back();
 }
 
-bool unsigned_bits(std::int64_t x, int bits) { return x >= 0 && x < std::int64_t{1} << bits; }
-bool signed_bits(std::int64_t x, int bits) {
-    return x >= -(std::int64_t{1} << (bits - 1)) && x < std::int64_t{1} << (bits - 1);
-}
-
-/// The widths that rtl/lobes/glint_cosine_power.v and hls/glint_cosine_power.hpp declare.
+/// The widths that rtl/lobes/glint_cosine_power.v and hls/lobes/glint_cosine_power.hpp declare.
 bool fits(const Format& f, const Plain& x) {
     const auto power = [&](std::int64_t p) { return unsigned_bits(p, f.S + 1) && p <= std::int64_t{1} << f.S; };
     const auto sum = [&](std::int64_t s) { return unsigned_bits(s, 2 * f.S + 1); };

@@ -1,9 +1,7 @@
 #include "glint/hard_cases.hpp"
 
 #include <cmath>
-#include <fstream>
 #include <set>
-#include <sstream>
 
 #include "catch.hpp"
 #include "glint/effect.hpp"
@@ -65,18 +63,6 @@ TEST_CASE("every lobe stands in the registry once") {
     CHECK(names.size() >= 11);
 }
 
-namespace {
-
-std::string text_of(const std::string& path) {
-    std::ifstream file(GLINT_SOURCE_DIR "/" + path);
-    REQUIRE(file.good());
-    std::ostringstream text;
-    text << file.rdbuf();
-    return text.str();
-}
-
-}  // namespace
-
 TEST_CASE("hard cases: every effect has a table, a row for each of its cases") {
     for (const Effect& effect : effects()) {
         CAPTURE(effect.name);
@@ -96,24 +82,4 @@ TEST_CASE("hard cases: every effect has a table, a row for each of its cases") {
         }
         CHECK(clamped);
     }
-}
-
-TEST_CASE("hard cases: the tests that cover pictures exist") {
-    const std::string tests = text_of("tests/render/shading_test.cpp") + text_of("tests/render/wavefront_test.cpp");
-    const std::string classes = text_of("tests/render/CMakeLists.txt");
-    const HardCaseTable table = render_case_table();
-    CHECK(table.rows.size() >= 20);
-    for (const auto& row : table.rows) {
-        REQUIRE(row.size() == table.columns.size());
-        CAPTURE(row[0], row[3]);
-        if (row[3] == "render.hardcases") {
-            CHECK(classes.find("HardCases") != std::string::npos);
-        } else {
-            CHECK(tests.find("TEST_CASE(\"" + row[3] + "\")") != std::string::npos);
-        }
-    }
-}
-
-TEST_CASE("docs/hard-cases.md is what `glint cases` prints") {
-    CHECK(text_of("docs/hard-cases.md") == hard_cases_page());
 }

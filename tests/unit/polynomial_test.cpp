@@ -2,10 +2,9 @@
 #include <cmath>
 #include <string>
 
-#include "catch.hpp"
 #include "glint/error.hpp"
 #include "glint/fixed_point.hpp"
-#include "glint/lobes.hpp"
+#include "lobe_checks.hpp"
 
 using namespace glint;
 
@@ -40,12 +39,8 @@ Plain plain(const Format& f, int n, std::int64_t C) {
     return x;
 }
 
-bool unsigned_bits(std::int64_t x, int bits) { return x >= 0 && x < std::int64_t{1} << bits; }
-bool signed_bits(std::int64_t x, int bits) {
-    return x >= -(std::int64_t{1} << (bits - 1)) && x < std::int64_t{1} << (bits - 1);
-}
-
-/// The widths that rtl/lobes/glint_polynomial.v, rtl/blocks/glint_ratio.v and hls/glint_polynomial.hpp declare, I = 2.
+/// The widths that rtl/lobes/glint_polynomial.v, rtl/blocks/glint_ratio.v and hls/lobes/glint_polynomial.hpp declare, I
+/// = 2.
 bool fits(const Format& f, const Plain& x) {
     const int h = f.K + 3, sum = h + f.S;
     return unsigned_bits(x.numerator, f.F + 2) && unsigned_bits(x.scaled, f.F + 10) && unsigned_bits(x.D, f.F + 11) &&

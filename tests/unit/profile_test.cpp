@@ -4,7 +4,6 @@
 #include <string>
 
 #include "catch.hpp"
-#include "glint/bps.hpp"
 #include "glint/error.hpp"
 #include "glint/lobes.hpp"
 #include "glint/range.hpp"
@@ -22,9 +21,9 @@ TEST_CASE("shipped and custom profiles") {
     CHECK(custom.argument() == "18,14,15,12");
     CHECK(custom.F == 18);
     CHECK(custom.O == 12);
-    const BpsFormat format = bps_format(custom);
-    CHECK(format.S == 14);
-    CHECK(format.K == 15);
+    const auto trace = find_lobe("bps").golden(custom)->trace(1, 0);
+    CHECK(trace[2].fraction_bits == 14);  // quotient
+    CHECK(trace[3].fraction_bits == 15);  // h1
 }
 
 TEST_CASE("illegal profiles are refused with the legal ones named") {
@@ -36,7 +35,7 @@ TEST_CASE("illegal profiles are refused with the legal ones named") {
     for (const char* text :
          {"18,12", "18,14,12", "18,14,14,14,12", "18,11,14,12", "18,14,11,12", "18,31,14,12", "18,14,31,12"}) {
         CAPTURE(text);
-        CHECK_THROWS_AS(bps_format(parse_profile(text)), Error);
+        CHECK_THROWS_AS(find_lobe("bps").golden(parse_profile(text)), Error);
     }
 }
 

@@ -2,10 +2,9 @@
 #include <cmath>
 #include <string>
 
-#include "catch.hpp"
 #include "glint/error.hpp"
 #include "glint/fixed_point.hpp"
-#include "glint/lobes.hpp"
+#include "lobe_checks.hpp"
 
 using namespace glint;
 
@@ -36,9 +35,7 @@ Plain plain(const Format& f, int n, std::int64_t C) {
     return x;
 }
 
-bool unsigned_bits(std::int64_t x, int bits) { return x >= 0 && x < std::int64_t{1} << bits; }
-
-/// The widths that rtl/lobes/glint_quadratic.v and hls/glint_quadratic.hpp declare.
+/// The widths that rtl/lobes/glint_quadratic.v and hls/lobes/glint_quadratic.hpp declare.
 bool fits(const Format& f, const Plain& x) {
     const std::int64_t end = std::int64_t{1} << (f.F + f.K + 10);  // of the signed word of the line
     return unsigned_bits(f.slope, f.K) && unsigned_bits(x.scaled, f.K + 10) &&

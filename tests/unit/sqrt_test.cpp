@@ -1,6 +1,6 @@
 #include <random>
 
-#include "../../hls/glint_sqrt.hpp"
+#include "../../hls/blocks/glint_sqrt.hpp"
 #include "catch.hpp"
 #include "glint/fixed_point.hpp"
 

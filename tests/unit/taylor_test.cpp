@@ -4,22 +4,13 @@
 #include <string>
 #include <vector>
 
-#include "catch.hpp"
 #include "glint/error.hpp"
-#include "glint/lobes.hpp"
 #include "glint/reference.hpp"
+#include "lobe_checks.hpp"
 
 using namespace glint;
 
 namespace {
-
-std::int64_t value(const std::vector<Intermediate>& trace, std::string_view name) {
-    for (const Intermediate& i : trace) {
-        if (i.name == name) return i.code;
-    }
-    FAIL("no intermediate " << name);
-    return 0;
-}
 
 struct Words {
     std::string name;
@@ -62,53 +53,13 @@ TEST_CASE("taylor: exactly 1 at c = 1, exactly 0 in the tail") {
 }
 
 TEST_CASE("taylor: n of 1 to 6 and 8 are powers of c, within their rounding") {
-    for (const Profile& profile : shipped_profiles()) {
-        const auto model = find_lobe("taylor").golden(profile);
-        for (const int n : {1, 2, 3, 4, 5, 6, 8}) {
-            for (int C = 0; C <= profile.one(); C += profile.one() >> 16) {
-                const double power = std::pow(std::ldexp(C, -profile.F), n);
-                if (!(std::abs(model->eval(n, C) - std::ldexp(power, profile.O)) < 1.0)) {
-                    FAIL(profile.name << " n " << n << " C " << C);
-                }
-            }
-        }
-    }
+    check_small_powers(find_lobe("taylor"));
     SUCCEED();
 }
 
-TEST_CASE("taylor: every p8 input is within its words, at most 1, and never falls when c grows") {
-    const Words& f = formats.front();
-    const Profile profile = parse_profile(f.name);
-    const auto model = find_lobe("taylor").golden(profile);
-    for (int n = 1; n <= max_n; ++n) {
-        std::uint32_t last = 0;
-        for (int C = 0; C <= profile.one(); ++C) {
-            if (!fits(model->trace(n, C), f)) FAIL("n " << n << " C " << C);
-            const std::uint32_t y = model->eval(n, C);
-            if (y < last || y > 1U << f.O) FAIL("n " << n << " C " << C);
-            last = y;
-        }
-    }
-    SUCCEED();
-}
-
-TEST_CASE("taylor: words and monotonicity of the other formats") {
-    for (const Words& f : formats) {
-        const Profile profile = parse_profile(f.name);
-        const auto model = find_lobe("taylor").golden(profile);
-        const int step = std::max(1, profile.one() >> 11);
-        for (const int n : {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 15, 16, 31, 33, 50, 512, 1022, 1023}) {
-            std::uint32_t last = 0;
-            const auto next = [&](int C) {
-                if (!fits(model->trace(n, C), f)) FAIL(f.name << " n " << n << " C " << C);
-                const std::uint32_t y = model->eval(n, C);
-                if (y < last) FAIL(f.name << " n " << n << " C " << C);
-                last = y;
-            };
-            for (int C = 0; C < profile.one(); C += step) next(C);
-            for (int C = profile.one() - std::min(step - 1, 64); C <= profile.one(); ++C) next(C);
-        }
-    }
+TEST_CASE(
+    "taylor: every input of p8, and hard ones of other formats, is within its words, at most 1, and never falls") {
+    check_words(find_lobe("taylor"), formats, fits);
     SUCCEED();
 }
 
@@ -137,17 +88,7 @@ TEST_CASE("taylor: at p16 the jump to 0 is at the real function's place, at ever
     SUCCEED();
 }
 
-TEST_CASE("taylor: the real function at its ends") {
-    const auto& lobe = find_lobe("taylor");
-    const double infinity = std::numeric_limits<double>::infinity();
-    CHECK(lobe.reference(1.0, infinity) == 1.0);
-    CHECK(lobe.reference(0.999, infinity) == 0.0);
-    CHECK(lobe.reference(0.0, 1e308) == 0.0);
-    CHECK(lobe.reference(0.5, 3.0) == 0.125);
-    CHECK(lobe.reference(0.5, 8.0) == 0.00390625);
-    CHECK(lobe.reference(-0.5, 8.0) == 0.0);
-    CHECK(lobe.reference(2.0, 50.0) == 1.0);
-}
+TEST_CASE("taylor: the real function at its ends") { check_real_ends(find_lobe("taylor")); }
 
 TEST_CASE("taylor: illegal formats are refused") {
     for (const std::string name : {"18,17,12", "18,4,25,17,12", "18,64,25,17,12", "18,16,17,17,12", "18,16,37,17,12",

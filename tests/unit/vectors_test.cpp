@@ -3,13 +3,13 @@
 #include <sstream>
 
 #include "catch.hpp"
-#include "glint/bps.hpp"
 #include "glint/error.hpp"
+#include "glint/lobes.hpp"
 
 using namespace glint;
 
 TEST_CASE("the same seed gives the same vectors, another seed others") {
-    const auto model = make_bps(parse_profile("p12"));
+    const auto model = find_lobe("bps").golden(parse_profile("p12"));
     const std::string first = format_vectors(make_vectors(*model, 3000, 1), VectorFormat::tv);
     CHECK(first == format_vectors(make_vectors(*model, 3000, 1), VectorFormat::tv));
     CHECK(first != format_vectors(make_vectors(*model, 3000, 2), VectorFormat::tv));
@@ -22,7 +22,7 @@ TEST_CASE("the generator is SplitMix64") {
 }
 
 TEST_CASE("vectors start with the corners and hold legal and illegal inputs") {
-    const auto model = make_bps(parse_profile("p8"));
+    const auto model = find_lobe("bps").golden(parse_profile("p8"));
     const auto corners = corner_vectors(*model);
     const auto vectors = make_vectors(*model, 5000, 3);
     REQUIRE(vectors.size() == 5000);
@@ -39,7 +39,7 @@ TEST_CASE("vectors start with the corners and hold legal and illegal inputs") {
 }
 
 TEST_CASE("the three formats say the same") {
-    const auto model = make_bps(parse_profile("p16"));
+    const auto model = find_lobe("bps").golden(parse_profile("p16"));
     const auto vectors = make_vectors(*model, 500, 5);
     std::istringstream tv(format_vectors(vectors, VectorFormat::tv));
     std::istringstream csv(format_vectors(vectors, VectorFormat::csv));

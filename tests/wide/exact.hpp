@@ -1,13 +1,13 @@
-// The contract of `bps` (docs/contract.md) once more, apart from model/: in 128-bit integers, the constants from their
+// The contract of `bps` (docs/lobes/bps.md) once more, apart from model/: in 128-bit integers, the constants from their
 // decimal digits; and the real function f_bps by integers, with a stated error.
 #pragma once
 
 #include <cmath>
 #include <cstdint>
+#include <span>
 
 #include <fmt/format.h>
 
-#include "glint/bps.hpp"
 #include "glint/error.hpp"
 #include "glint/reference.hpp"
 
@@ -23,15 +23,12 @@ constexpr std::int64_t real_error = 8;
 
 class Exact {
 public:
-    /// Throws Error when the constants of the format are not the published ones, rounded.
-    explicit Exact(const BpsFormat& format) : F(format.F), S(format.S), K(format.K), O(format.O) {
+    /// The numbers of a profile: F, S, K, O. Legal: those that the model takes.
+    explicit Exact(std::span<const int, 4> numbers) : F(numbers[0]), S(numbers[1]), K(numbers[2]), O(numbers[3]) {
         const auto& published = reference::bps_constants;
         fixed_ = {at(published.a, K), at(published.b, K), at(published.c1, K), at(published.d0, K)};
         real_ = {at(published.a, real_bits), at(published.b, real_bits), at(published.c1, real_bits),
                  at(published.d0, real_bits)};
-        if (fixed_.a != format.a || fixed_.b != format.b || fixed_.c1 != format.c1 || fixed_.d0 != format.d0) {
-            throw Error("the model's constants are not the published ones, rounded");
-        }
     }
 
     const int F, S, K, O;

@@ -17,7 +17,7 @@
 
 #include "exact.hpp"
 #include "glint/accuracy.hpp"
-#include "glint/bps.hpp"
+#include "glint/lobes.hpp"
 #include "glint/parallel.hpp"
 #include "glint/vectors.hpp"
 #include "io/command.hpp"
@@ -111,10 +111,10 @@ public:
     explicit Run(const Options& options)
         : options_(options),
           profile_(parse_profile(options.profile)),
-          format_(bps_format(profile_)),
-          exact_(format_),
-          model_(make_bps(profile_)) {
-        if (format_.F < format_.S) {
+          model_(find_lobe("bps").golden(profile_)),
+          numbers_(profile_.shipped() ? find_lobe("bps").numbers(profile_.F, profile_.O) : profile_.custom),
+          exact_(std::span<const int, 4>(numbers_)) {
+        if (exact_.F < exact_.S) {
             throw Error(fmt::format("profile {} is not legal here: F >= S, so that every quotient occurs at n = 1",
                                     profile_.argument()));
         }
@@ -124,7 +124,7 @@ public:
     int operator()() {
         const std::uint64_t all = max_n * (static_cast<std::uint64_t>(profile_.one()) + 1);
         fmt::print("bps at profile {}: F {}, S {}, K {}, O {}; {} legal inputs; seed {}\n", profile_.argument(),
-                   format_.F, format_.S, format_.K, format_.O, all, options_.seed);
+                   exact_.F, exact_.S, exact_.K, exact_.O, all, options_.seed);
         const auto start = std::chrono::steady_clock::now();
         every_quotient();
         corners();
@@ -164,17 +164,17 @@ private:
     /// n = 1, where D = 2^F and the quotient is the cosine code cut to S bits. Notes the quotients at which the error
     /// of some real s is largest, and those next to a boundary of the last rounding.
     void every_quotient() {
-        const std::int64_t last = std::int64_t{1} << format_.S;
+        const std::int64_t last = std::int64_t{1} << exact_.S;
         constexpr std::int64_t per_task = 1 << 16;
         std::mutex mutex;
         set("every quotient", static_cast<std::size_t>(last / per_task + 1), [&](std::size_t task, Checker& checker) {
             Least worst(hard_quotients), boundary(hard_quotients);
             const std::int64_t begin = static_cast<std::int64_t>(task) * per_task;
             for (std::int64_t q = begin; q < std::min(begin + per_task, last + 1); ++q) {
-                checker.add(1, q << (format_.F - format_.S));
+                checker.add(1, q << (exact_.F - exact_.S));
                 const std::int64_t sum = exact_.last_sum(q);
                 worst.add(-largest_error(q, exact_.y_of_sum(sum)), q);
-                const std::int64_t unit = std::int64_t{1} << (format_.S + format_.K - format_.O);
+                const std::int64_t unit = std::int64_t{1} << (exact_.S + exact_.K - exact_.O);
                 const std::int64_t above = sum & (unit - 1);
                 boundary.add(std::min(above, unit - above), q);
             }
@@ -190,9 +190,9 @@ private:
     /// up to its minimum, between its two zeros 0.008 and 0.126, and then rises, so max(0, P) is monotone on stretches
     /// of 2^-4 and less, and the error is largest at an end.
     std::int64_t largest_error(std::int64_t q, std::int64_t y) const {
-        const int guard = real_bits - format_.S;
+        const int guard = real_bits - exact_.S;
         const std::int64_t at_first = exact_.error(y, q << guard);
-        return q >> format_.S == 1 ? at_first : std::max(at_first, exact_.error(y, (q + 1) << guard));
+        return q >> exact_.S == 1 ? at_first : std::max(at_first, exact_.error(y, (q + 1) << guard));
     }
 
     /// The ends of the cosine's range, and both sides of every power of two, counted from either end; at every n.
@@ -240,7 +240,7 @@ private:
             Inputs found;
             for (std::int64_t r = -reach; r <= reach; ++r) {
                 for (const Input& x : at_remainder(exact_, n, r)) {
-                    const Integer shifted = Integer{x.C} << format_.S;
+                    const Integer shifted = Integer{x.C} << exact_.S;
                     const Integer D = exact_.divisor(n, x.C);
                     if ((shifted - r) % D != 0) throw Error("the search for hard divisions is wrong");
                     found.push_back(x);
@@ -277,7 +277,7 @@ private:
                 Inputs found;
                 for (std::int64_t C = 0; C <= profile_.one(); ++C) {
                     const std::int64_t D = n * profile_.one() - (n - 1) * C;
-                    const std::int64_t remainder = (C << format_.S) % D;
+                    const std::int64_t remainder = (C << exact_.S) % D;
                     if (remainder <= reach || remainder >= D - reach) found.push_back({static_cast<int>(n), C});
                 }
                 const std::lock_guard lock(mutex);
@@ -336,8 +336,8 @@ private:
                             {"max_ulp_any_real_s", every_s_}};
         const Json run{{"lobe", "bps"},
                        {"profile", profile_.name},
-                       {"F", format_.F},
-                       {"O", format_.O},
+                       {"F", exact_.F},
+                       {"O", exact_.O},
                        {"unit", "model"},
                        {"test", "wide"},
                        {"exhaustive", false},
@@ -353,9 +353,9 @@ private:
 
     Options options_;
     Profile profile_;
-    BpsFormat format_;
-    Exact exact_;
     std::unique_ptr<GoldenModel> model_;
+    std::vector<int> numbers_;  ///< F, S, K, O
+    Exact exact_;
     std::vector<std::pair<std::string, Findings>> sets_;
     std::vector<std::string> failures_;
     Least worst_quotients_{hard_quotients}, boundary_quotients_{hard_quotients};

@@ -80,6 +80,9 @@ protected:
                 std::vector<EffectPort> outputs)
         : effect_(effect), profile_(std::move(profile)), inputs_(std::move(inputs)), outputs_(std::move(outputs)) {}
 
+    /// The codes at the input ports, and then `values`: what most effects have for intermediates.
+    std::vector<Intermediate> after_inputs(const std::int64_t* in, std::initializer_list<Intermediate> values) const;
+
 private:
     /// Cuts codes to the legal ranges of their ports; true where that changed any. An effect that is made of others may
     /// leave that to them, and say only whether they do.

@@ -16,14 +16,14 @@ struct HardCase {
     std::string name;
     int n = 0;
     std::int32_t cos_code = 0;
-    std::string risk;     ///< what could go wrong there
-    std::string covered;  ///< by which test or proof it is covered
+    std::string risk;  ///< what could go wrong there
+    /// Ids of the tests and proofs that cover it; by default those that meet every legal input.
+    std::vector<std::string_view> covered{"exhaustive", "kernel", "oracle"};
 };
 
-/// The hard cases of `bps` at the profile of a model; legal and illegal port inputs.
-std::vector<HardCase> bps_hard_cases(const GoldenModel& model);
-
-/// Hard cases as texts, for a document: each with what could go wrong, what comes out, and how it is covered.
+/// Hard cases as texts, for a document: each with what could go wrong, what comes out, and the ids of what covers it,
+/// with
+/// ", " between them.
 struct HardCaseTable {
     std::string title;
     std::vector<std::string> columns;
@@ -45,9 +45,5 @@ HardCaseTable stream_case_table();
 
 /// What the tables show and how to read it, for their heading (Markdown).
 std::string_view hard_case_legend();
-
-/// The page of hard cases (Markdown): the tables of all lobes, of all effects, of pictures and of the streams. `glint
-/// cases` prints it; docs/hard-cases.md is its output.
-std::string hard_cases_page();
 
 }  // namespace glint

@@ -26,8 +26,7 @@ private:
     std::vector<Intermediate> intermediates(const std::int64_t* in) const override {
         std::int64_t out[3];
         value(in, out);
-        std::vector<Intermediate> values;
-        for (std::size_t p = 0; p < 6; ++p) values.push_back({inputs()[p].name, in[p], profile().O});
+        std::vector<Intermediate> values = after_inputs(in, {});
         for (std::size_t p = 0; p < 3; ++p) values.push_back({outputs()[p].name, out[p], profile().O});
         return values;
     }
@@ -44,6 +43,7 @@ std::unique_ptr<EffectModel> make_ambient(const Profile& profile, std::string_vi
 std::vector<GeneratedFile> emit_ambient(const Profile& profile, std::string_view) {
     const Ambient model(profile);
     return {effect_wrapper(model, {{block::stream(), block::step(3)}}, {{"O", std::to_string(profile.O), ""}}),
+            effect_top(model),
             effect_constants(model, {{"int O", std::to_string(profile.O), "fraction bits of colours and terms"}})};
 }
 

@@ -14,14 +14,6 @@ constexpr std::string_view name = "cook_torrance";
 constexpr int excess_bits = 12;  ///< fraction bits of the port excess
 constexpr int t_integer_bits = 7;
 
-/// floor(sqrt(x)) for 0 <= x < 2^62. A double's root is off by less than 1 there.
-std::int64_t floor_sqrt(std::int64_t x) {
-    auto root = static_cast<std::int64_t>(std::sqrt(static_cast<double>(x)));
-    if (root * root > x) --root;
-    if ((root + 1) * (root + 1) <= x) ++root;
-    return root;
-}
-
 struct Format {
     int F = 0, O = 0;
     microfacets::WordLengths w;
@@ -113,30 +105,25 @@ private:
     std::vector<Intermediate> intermediates(const std::int64_t* in) const override {
         const Format::Steps x = f_.steps(in);
         const int L = f_.w.L, S = f_.w.S;
-        std::vector<Intermediate> values;
-        for (std::size_t p = 0; p < inputs().size(); ++p) {
-            values.push_back({inputs()[p].name, in[p], inputs()[p].fraction_bits});
-        }
-        values.insert(values.end(), {{"ul", x.a.ul, L},
-                                     {"uv", x.a.uv, L},
-                                     {"uh", x.a.uh, L},
-                                     {"uc", x.a.uc, L},
-                                     {"loss", x.a.loss, L},
-                                     {"gain", x.a.gain, L},
-                                     {"s", x.s, f_.W},
-                                     {"e", x.e, f_.W},
-                                     {"t", x.t, S},
-                                     {"root", x.root, f_.R},
-                                     {"q", x.q, f_.R},
-                                     {"uq", x.uq, L},
-                                     {"across", x.across, S},
-                                     {"square", x.square, S},
-                                     {"ratio", x.ratio, S},
-                                     {"factor", x.factor, S},
-                                     {"z", x.z, S},
-                                     {"p", x.last.p, S},
-                                     {"y", x.last.y, f_.O}});
-        return values;
+        return after_inputs(in, {{"ul", x.a.ul, L},
+                                 {"uv", x.a.uv, L},
+                                 {"uh", x.a.uh, L},
+                                 {"uc", x.a.uc, L},
+                                 {"loss", x.a.loss, L},
+                                 {"gain", x.a.gain, L},
+                                 {"s", x.s, f_.W},
+                                 {"e", x.e, f_.W},
+                                 {"t", x.t, S},
+                                 {"root", x.root, f_.R},
+                                 {"q", x.q, f_.R},
+                                 {"uq", x.uq, L},
+                                 {"across", x.across, S},
+                                 {"square", x.square, S},
+                                 {"ratio", x.ratio, S},
+                                 {"factor", x.factor, S},
+                                 {"z", x.z, S},
+                                 {"p", x.last.p, S},
+                                 {"y", x.last.y, f_.O}});
     }
 
     // Powers as one exponent: none alone is finite for all arguments.
@@ -177,6 +164,7 @@ std::vector<GeneratedFile> emit(const Profile& profile, std::string_view) {
                                          block::divider(f.w.S + 1), block::square(), block::scaled_power_factor()},
                                         {"glint_microfacets", "glint_delay", "glint_log2", "glint_attenuation"}},
                                        microfacets::parameters(profile, f.w), memories),
+                        effect_top(model),
                         effect_constants(model, microfacets::constants(profile, f.w),
                                          {f.attenuation.log2.table(), f.power.exp2.table()})},
                        memories);

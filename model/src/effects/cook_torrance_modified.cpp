@@ -83,25 +83,20 @@ private:
     std::vector<Intermediate> intermediates(const std::int64_t* in) const override {
         const Format::Steps x = f_.steps(in);
         const int L = f_.w.L, S = f_.w.S, K = f_.K;
-        std::vector<Intermediate> values;
-        for (std::size_t p = 0; p < inputs().size(); ++p) {
-            values.push_back({inputs()[p].name, in[p], inputs()[p].fraction_bits});
-        }
-        values.insert(values.end(), {{"ul", x.a.ul, L},
-                                     {"uv", x.a.uv, L},
-                                     {"uh", x.a.uh, L},
-                                     {"uc", x.a.uc, L},
-                                     {"loss", x.a.loss, L},
-                                     {"gain", x.a.gain, L},
-                                     {"x", x.x, K},
-                                     {"h1", x.h1, K},
-                                     {"h2", x.h2, K},
-                                     {"h3", x.h3, K},
-                                     {"factor", x.factor, K},
-                                     {"z", x.z, S},
-                                     {"p", x.last.p, S},
-                                     {"y", x.last.y, f_.O}});
-        return values;
+        return after_inputs(in, {{"ul", x.a.ul, L},
+                                 {"uv", x.a.uv, L},
+                                 {"uh", x.a.uh, L},
+                                 {"uc", x.a.uc, L},
+                                 {"loss", x.a.loss, L},
+                                 {"gain", x.a.gain, L},
+                                 {"x", x.x, K},
+                                 {"h1", x.h1, K},
+                                 {"h2", x.h2, K},
+                                 {"h3", x.h3, K},
+                                 {"factor", x.factor, K},
+                                 {"z", x.z, S},
+                                 {"p", x.last.p, S},
+                                 {"y", x.last.y, f_.O}});
     }
 
     /// The term where the cubic is 1; legal arguments in front of the surface.
@@ -138,6 +133,7 @@ std::vector<GeneratedFile> emit(const Profile& profile, std::string_view) {
                         {{block::stream(), block::step(), block::attenuation(), block::step(2), block::scaled_power()},
                          {"glint_microfacets", "glint_delay"}},
                         microfacets::parameters(profile, f.w), memories),
+         effect_top(model),
          effect_constants(model, microfacets::constants(profile, f.w),
                           {f.attenuation.log2.table(), f.power.exp2.table()})},
         memories);

@@ -73,6 +73,25 @@ HardwareUnit described(const EffectModel& model, std::string_view lobe, const Ha
     return unit;
 }
 
+Kernel kernel(const EffectModel& model) {
+    Kernel out{"effects",
+               fmt::format("effect_{}", model.effect()),
+               fmt::format("--effect {}", model.effect()),
+               fmt::format("docs/effects/{}.md", model.effect()),
+               "void",
+               "",
+               ""};
+    const auto add = [&](std::string_view type, std::string_view argument) {
+        const char* separator = out.arguments.empty() ? "" : ", ";
+        out.arguments += fmt::format("{}{} {}", separator, type, argument);
+        out.passed += fmt::format("{}{}", separator, argument);
+    };
+    for (const EffectPort& port : model.inputs()) add(port.is_signed ? "std::int32_t" : "std::uint32_t", port.name);
+    for (const EffectPort& port : model.outputs()) add("std::uint32_t*", port.name);
+    add("bool*", "clamped");
+    return out;
+}
+
 }  // namespace
 
 GeneratedFile effect_module(const EffectModel& model, std::string_view lobe, const Hardware& hardware,
@@ -173,10 +192,10 @@ std::vector<GeneratedFile> made_of(GeneratedFile file, std::vector<GeneratedFile
 
 GeneratedFile effect_constants(const EffectModel& model, const std::vector<Constant>& constants,
                                const std::vector<Table>& tables) {
-    return constants_header({fmt::format("glint_effect_{}", model.effect()), fmt::format("--effect {}", model.effect()),
-                             fmt::format("docs/effects/{}.md", model.effect())},
-                            model.profile(), constants, tables);
+    return constants_header(kernel(model), model.profile(), constants, tables);
 }
+
+GeneratedFile effect_top(const EffectModel& model) { return top_function(kernel(model), model.profile()); }
 
 std::vector<EffectCase> common_effect_cases(const EffectModel& model) {
     const auto ports = model.inputs();

@@ -51,7 +51,8 @@ GeneratedFile effect_wrapper(const EffectModel& model, const Hardware& hardware,
 std::vector<GeneratedFile> made_of(GeneratedFile file, std::vector<GeneratedFile> parts,
                                    const HardwareUnit::Architecture& timing);
 
-/// The HLS header glint_effect_<effect>_<profile>_constants.hpp.
+/// The HLS header glint_effect_<effect>_<profile>_constants.hpp, and the top function of the kernel.
+GeneratedFile effect_top(const EffectModel& model);
 GeneratedFile effect_constants(const EffectModel& model, const std::vector<Constant>& constants,
                                const std::vector<Table>& tables = {});
 

@@ -23,7 +23,7 @@ private:
     std::vector<Intermediate> intermediates(const std::int64_t* in) const override {
         std::int64_t y = 0;
         value(in, &y);
-        return {{"nl", in[0], profile().F}, {"y", y, profile().O}};
+        return after_inputs(in, {{"y", y, profile().O}});
     }
 
     void real(const double* in, double* out) const override { out[0] = std::max(0.0, in[0]); }
@@ -37,6 +37,7 @@ std::vector<GeneratedFile> emit_lambert(const Profile& profile, std::string_view
     const Lambert model(profile);
     return {effect_wrapper(model, {{block::stream(), block::step(2)}, {"glint_dot"}},
                            {{"F", std::to_string(profile.F), ""}, {"O", std::to_string(profile.O), ""}}),
+            effect_top(model),
             effect_constants(model, {{"int F", std::to_string(profile.F), "fraction bits of the dot product"},
                                      {"int O", std::to_string(profile.O), "fraction bits of the output"}})};
 }

@@ -42,8 +42,7 @@ private:
 
     std::vector<Intermediate> intermediates(const std::int64_t* in) const override {
         static constexpr std::string_view names[] = {"colour_r", "colour_g", "colour_b"};
-        std::vector<Intermediate> values, last;
-        for (std::size_t p = 0; p < 7; ++p) values.push_back({inputs()[p].name, in[p], profile().O});
+        std::vector<Intermediate> values = after_inputs(in, {}), last;
         for (std::size_t c = 0; c < 3; ++c) {
             const Channel x = channel(in[0], in[1 + c], in[4 + c]);
             values.push_back({names[c], x.colour, 2 * profile().O});
@@ -66,6 +65,7 @@ std::unique_ptr<EffectModel> make_tint(const Profile& profile, std::string_view)
 std::vector<GeneratedFile> emit_tint(const Profile& profile, std::string_view) {
     const Tint model(profile);
     return {effect_wrapper(model, {{block::stream(), block::step(4)}}, {{"O", std::to_string(profile.O), ""}}),
+            effect_top(model),
             effect_constants(model, {{"int O", std::to_string(profile.O), "fraction bits of colours and terms"}})};
 }
 

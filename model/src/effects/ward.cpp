@@ -111,19 +111,14 @@ private:
 
     std::vector<Intermediate> intermediates(const std::int64_t* in) const override {
         const WardFormat::Steps x = f_.steps(in);
-        std::vector<Intermediate> values;
-        for (std::size_t p = 0; p < inputs().size(); ++p) {
-            values.push_back({inputs()[p].name, in[p], inputs()[p].fraction_bits});
-        }
-        values.insert(values.end(), {{"hx", x.hx, f_.H},
-                                     {"hy", x.hy, f_.H},
-                                     {"r2", x.r2, f_.S},
-                                     {"t", x.t, f_.S},
-                                     {"ul", x.ul, f_.L},
-                                     {"uv", x.uv, f_.L},
-                                     {"e", x.e, f_.S},
-                                     {"y", x.y, f_.O}});
-        return values;
+        return after_inputs(in, {{"hx", x.hx, f_.H},
+                                 {"hy", x.hy, f_.H},
+                                 {"r2", x.r2, f_.S},
+                                 {"t", x.t, f_.S},
+                                 {"ul", x.ul, f_.L},
+                                 {"uv", x.uv, f_.L},
+                                 {"e", x.e, f_.S},
+                                 {"y", x.y, f_.O}});
     }
 
     // Powers and roots of the peak, of sqrt(nl / nv) and of the exponential in one: none alone is finite for all.
@@ -167,6 +162,7 @@ std::vector<GeneratedFile> emit_ward(const Profile& profile, std::string_view) {
              {{block::stream(), block::step(6), block::divider(f.S + 7), block::step(), block::exp2(), block::step()},
               {"glint_dot", "glint_delay", "glint_log2"}},
              {{"F", text(f.F), ""}, {"T", text(f.T), ""}, {"E", text(f.E), ""}, {"O", text(f.O), ""}}, memories),
+         effect_top(model),
          effect_constants(model,
                           {{"int F", text(f.F), "fraction bits of the dot products"},
                            {"int T", text(f.T), "address bits of log2"},

@@ -1,15 +1,9 @@
-#include "glint/bps.hpp"
+// The lobe `bps`: docs/lobes/bps.md.
 
 #include <algorithm>
 #include <cmath>
 
-#include <fmt/format.h>
-
-#include "glint/error.hpp"
-#include "glint/fixed_point.hpp"
-#include "glint/lanes.hpp"
-#include "glint/lobes.hpp"
-#include "glint/reference.hpp"
+#include "lobe.hpp"
 
 namespace glint {
 namespace {
@@ -28,86 +22,58 @@ namespace {
 //
 // The largest of them, h1 q + 2^(S-1), is below 2^(K + S + 2) <= 2^62, and C 2^S <= 2^60: 64 bits are enough.
 
-struct Steps {
-    std::int64_t D = 0, quotient = 0, h1 = 0, h2 = 0, y = 0;
-};
+/// The word lengths, and the constants at K fraction bits.
+struct BpsFormat {
+    static constexpr std::string_view lobe = "bps";
+    int F = 0;                                  ///< fraction bits of the cosine, 8..30
+    int S = 0;                                  ///< fraction bits of the quotient, O..30
+    int K = 0;                                  ///< fraction bits of the constants, O..30
+    int O = 0;                                  ///< fraction bits of the output, 4..28
+    std::int64_t a = 0, b = 0, c1 = 0, d0 = 0;  ///< at K fraction bits
 
-/// The polynomial part: what follows the quotient.
-void horner(const BpsFormat& f, Steps& x) {
-    x.h1 = f.b + rnd(f.a * x.quotient, f.S);
-    x.h2 = f.c1 + rnd(x.h1 * x.quotient, f.S);
-    x.y = std::max<std::int64_t>(0, rnd(x.h2 * x.quotient + f.d0 * (std::int64_t{1} << f.S), f.S + f.K - f.O));
-}
+    struct Steps {
+        std::int64_t D = 0, quotient = 0, h1 = 0, h2 = 0, y = 0;
+    };
 
-Steps steps(const BpsFormat& f, int n, std::int64_t C) {
-    Steps x;
-    const std::int64_t one = std::int64_t{1} << f.F;
-    x.D = n * one - (n - 1) * C;
-    x.quotient = (C << f.S) / x.D;  // both positive: / is the floor
-    horner(f, x);
-    return x;
-}
+    /// The polynomial part: what follows the quotient.
+    void horner(Steps& x) const {
+        x.h1 = b + rnd(a * x.quotient, S);
+        x.h2 = c1 + rnd(x.h1 * x.quotient, S);
+        x.y = std::max<std::int64_t>(0, rnd(x.h2 * x.quotient + d0 * (std::int64_t{1} << S), S + K - O));
+    }
 
-/// The largest y over the quotients first..last, if above `known`; exact, by bisection. On a stretch where h1 and h2
-/// do not change (h1 falls with the quotient and h2 at one h1 >= 0 rises, so equal ends mean equal throughout), y is
-/// monotone and an end is the largest. Stretches that cannot exceed `known` are not opened: there, with h1 and h2
-/// taken at whichever end is larger, y is bounded by max(h2) q + d0.
-std::int64_t largest_output(const BpsFormat& f, std::int64_t first, std::int64_t last, std::int64_t known) {
-    Steps low, high;
-    low.quotient = first;
-    high.quotient = last;
-    horner(f, low);
-    horner(f, high);
-    known = std::max({known, low.y, high.y});
-    if (last - first <= 1 || (low.h1 == high.h1 && low.h2 == high.h2)) return known;
-    const std::int64_t h2_most = f.c1 + rnd(low.h1 * last, f.S);
-    const std::int64_t bound =
-        rnd(std::max<std::int64_t>(0, h2_most) * last + f.d0 * (std::int64_t{1} << f.S), f.S + f.K - f.O);
-    if (bound <= known) return known;
-    const std::int64_t middle = first + (last - first) / 2;
-    known = largest_output(f, middle, last, known);  // the polynomial is largest near q = 1: look there first
-    return largest_output(f, first, middle, known);
-}
+    Steps steps(int n, std::int64_t C) const {
+        Steps x;
+        const std::int64_t one = std::int64_t{1} << F;
+        x.D = n * one - (n - 1) * C;
+        x.quotient = (C << S) / x.D;  // both positive: / is the floor
+        horner(x);
+        return x;
+    }
 
-class Bps final : public GoldenModel {
-public:
-    Bps(const Profile& profile, const BpsFormat& format) : GoldenModel("bps", profile), f_(format) {}
+    std::vector<Intermediate> named(std::int64_t C, const Steps& x) const {
+        return {{"C", C, F},     {"D", x.D, F},   {"quotient", x.quotient, S},
+                {"h1", x.h1, K}, {"h2", x.h2, K}, {"y", x.y, O}};
+    }
 
-    void reference(double n, std::span<const double> c, std::span<double> out) const override {
+    double real(double c, double n) const { return reference::bps_horner(c, n); }
+    static void real_lanes(double n, std::span<const double> c, std::span<double> out) {
         reference::bps_batch(n, c, out);
     }
 
-private:
-    std::uint32_t value(int n, std::int32_t cosine) const override {
-        return static_cast<std::uint32_t>(steps(f_, n, cosine).y);
-    }
+    /// Lanes of doubles hold every intermediate exactly while it has at most 52 bits; then nothing is rounded but by
+    /// the contract.
+    bool has_lanes() const { return F + S <= 50 && K + S <= 46; }
 
-    std::vector<Intermediate> intermediates(int n, std::int32_t cosine) const override {
-        const Steps x = steps(f_, n, cosine);
-        return {{"C", cosine, f_.F}, {"D", x.D, f_.F},   {"quotient", x.quotient, f_.S},
-                {"h1", x.h1, f_.K},  {"h2", x.h2, f_.K}, {"y", x.y, f_.O}};
-    }
-
-    void batch(std::span<const std::uint16_t> n, std::span<const std::int32_t> cos_code,
-               std::span<std::uint32_t> packed) const override {
-        // Lanes of doubles hold every intermediate exactly while it has at most 52 bits; then nothing is rounded but
-        // by the contract. Wider formats take the scalar form.
-        if (f_.F + f_.S <= 50 && f_.K + f_.S <= 46) {
-            batch_in_doubles(f_, n.data(), cos_code.data(), packed.data(), n.size());
-            return;
-        }
-        for (std::size_t i = 0; i < n.size(); ++i) packed[i] = pack(eval_port(n[i], cos_code[i]));
-    }
-
-    /// The contract in doubles. Why each line gives the contract's bits, given the widths that batch() asks for:
+    /// The contract in doubles. Why each line gives the contract's bits, given the widths that has_lanes() asks for:
     /// - Sums and products of integers below 2^52 are exact, and so is a scaling by a power of two.
     /// - C 2^S and D are exact, and their division rounds once, relatively by 2^-53 at most. A quotient that is not an
     ///   integer lies at least 1/D below the next integer k, relatively 1/(k D) > 1/(C 2^S + D) > 2^-52: rounding
     ///   never reaches k, so truncation is the floor.
     /// - rnd(x, k) is x 2^-k + 2^-(k+1) to the nearest integer, which has no ties left; and to add 1.5 2^52 to a number
     ///   below 2^51 in magnitude rounds it to the nearest integer, since doubles from 2^52 to 2^53 are the integers.
-    GLINT_LANES static void batch_in_doubles(const BpsFormat& f, const std::uint16_t* n, const std::int32_t* cos_code,
-                                             std::uint32_t* packed, std::size_t count) {
+    GLINT_LANES static void lanes(const BpsFormat& f, const std::uint16_t* n, const std::int32_t* cos_code,
+                                  std::uint32_t* packed, std::size_t count) {
         constexpr double shifter = 0x1.8p52;
         const std::int32_t one = std::int32_t{1} << f.F;
         const double two_S = std::ldexp(1.0, f.S);
@@ -138,31 +104,37 @@ private:
             packed[i] = value | (below || above || none ? 0x8000'0000U : 0U);
         }
     }
-
-    BpsFormat f_;
 };
+
+/// The largest y over the quotients first..last, if above `known`; exact, by bisection. On a stretch where h1 and h2
+/// do not change (h1 falls with the quotient and h2 at one h1 >= 0 rises, so equal ends mean equal throughout), y is
+/// monotone and an end is the largest. Stretches that cannot exceed `known` are not opened: there, with h1 and h2
+/// taken at whichever end is larger, y is bounded by max(h2) q + d0.
+std::int64_t largest_output(const BpsFormat& f, std::int64_t first, std::int64_t last, std::int64_t known) {
+    BpsFormat::Steps low, high;
+    low.quotient = first;
+    high.quotient = last;
+    f.horner(low);
+    f.horner(high);
+    known = std::max({known, low.y, high.y});
+    if (last - first <= 1 || (low.h1 == high.h1 && low.h2 == high.h2)) return known;
+    const std::int64_t h2_most = f.c1 + rnd(low.h1 * last, f.S);
+    const std::int64_t bound =
+        rnd(std::max<std::int64_t>(0, h2_most) * last + f.d0 * (std::int64_t{1} << f.S), f.S + f.K - f.O);
+    if (bound <= known) return known;
+    const std::int64_t middle = first + (last - first) / 2;
+    known = largest_output(f, middle, last, known);  // the polynomial is largest near q = 1: look there first
+    return largest_output(f, first, middle, known);
+}
 
 std::vector<int> bps_numbers(int F, int O) { return {F, O + 3, O + 3, O}; }
 
-int in_range(std::string_view what, int value, int low, int high) {
-    if (value < low || value > high) {
-        throw Error(fmt::format("{} = {} is not legal for bps: {} to {}", what, value, low, high));
-    }
-    return value;
-}
-
-}  // namespace
-
 BpsFormat bps_format(const Profile& profile) {
-    BpsFormat f{.F = profile.F, .O = profile.O};
+    if (!profile.shipped()) check_custom(profile, BpsFormat::lobe, "F,S,K,O");
     const std::vector<int> numbers = profile.shipped() ? bps_numbers(profile.F, profile.O) : profile.custom;
-    if (numbers.size() != 4) {
-        throw Error(fmt::format("profile '{}' is not legal for bps: four numbers F,S,K,O", profile.argument()));
-    }
-    in_range("F", f.F, 8, 30);
-    in_range("O", f.O, 4, 28);
-    f.S = in_range("S", numbers[1], f.O, 30);
-    f.K = in_range("K", numbers[2], f.O, 30);
+    BpsFormat f{.F = profile.F, .O = profile.O};
+    f.S = in_range(BpsFormat::lobe, "S", numbers[1], f.O, 30);
+    f.K = in_range(BpsFormat::lobe, "K", numbers[2], f.O, 30);
     f.a = quantize_constant(reference::bps_constants.a, f.K);
     f.b = quantize_constant(reference::bps_constants.b, f.K);
     f.c1 = quantize_constant(reference::bps_constants.c1, f.K);
@@ -175,6 +147,161 @@ BpsFormat bps_format(const Profile& profile) {
     return f;
 }
 
+std::unique_ptr<GoldenModel> make_bps(const Profile& profile) {
+    return std::make_unique<PlainModel<BpsFormat>>(profile, bps_format(profile));
+}
+
+/// The arithmetic of docs/lobes/bps.md on real numbers, for which Gappa proves the range of every intermediate and a
+/// bound of the rounding error.
+std::string bps_gappa_body(const BpsFormat& f) {
+    const auto& published = reference::bps_constants;
+    return fmt::format(R"(
+# A name here has the meaning of docs/lobes/bps.md, but stands for the value, not the code: C is the cosine code / 2^F,
+# h1 is the contract's integer h1 / 2^K, y is its y / 2^O before negative results are cut to 0, and P is f_bps before
+# the same cut. A cut brings no two numbers further apart, so the bound of `error` holds after it as well.
+
+# Every improvement of an interval counts, however small: bounds then do not depend on the order in which Gappa looks.
+#@-Echange-threshold=0
+# Gappa checks each equation below as algebra, for D other than 0, and warns of that; where it divides by D, in that of
+# s, D <> 0 is asked for, and proven.
+#@-Wno-null-denominator
+
+@floor_S = fixed<-{S}, dn>;
+@rnd_K = fixed<-{K}, nu>;
+@rnd_O = fixed<-{O}, nu>;
+
+# The constants as published, and as the model rounds them to K bits.
+a = {a};
+b = {b};
+c1 = {c1};
+d0 = {d0};
+a_K = {a_K}b-{K};
+b_K = {b_K}b-{K};
+c1_K = {c1_K}b-{K};
+d0_K = {d0_K}b-{K};
+
+# The contract.
+D = n - (n - 1) * C;
+s = C / D;
+quotient = floor_S(s);
+product_1 = a_K * quotient;
+h1 = b_K + rnd_K(product_1);
+product_2 = h1 * quotient;
+h2 = c1_K + rnd_K(product_2);
+product_3 = h2 * quotient;
+sum_3 = product_3 + d0_K;
+y = rnd_O(sum_3);
+
+# The real function, at s and at the quotient, and the error in ulps of the output.
+P = ((a * s + b) * s + c1) * s + d0;
+h1_real = a * quotient + b;
+h2_real = h1_real * quotient + c1;
+P_quotient = h2_real * quotient + d0;
+error = (y - P) * 1b{O};
+
+{{ C in [0, 1] /\ n in [1, 1023] ->
+  # Claimed, since the words of the hardware and of the 64-bit model rest on it. Half a unit, which rnd adds before it
+  # cuts, still fits: the words end at 4 for h1 and h2 and what they are cut from, at 2 for sum_3.
+  D in [1, 1023] /\ quotient in [0, 1] /\
+  product_1 in [-3, 0] /\ h1 in [-3, 3] /\ product_2 in [0, 3] /\ h2 in [-3, 3] /\
+  product_3 in [-1.5, 1.5] /\ sum_3 in [-1.5, 1.5] /\ y in [-1, 1] /\
+  # What is asked.
+  D in ? /\ s in ? /\ quotient in ? /\ product_1 in ? /\ h1 in ? /\ product_2 in ? /\ h2 in ? /\
+  product_3 in ? /\ sum_3 in ? /\ y in ? /\ error in ? }}
+
+# D and s written so that their ranges follow from those of C and n.
+D -> 1 + (n - 1) * (1 - C);
+s -> 1 - n * (1 - C) / D {{ D <> 0 }};
+
+# The error, one term for each rounding. Each of the differences on the left is a difference of large and almost equal
+# numbers, of whose intervals nothing follows; on the right stand the small numbers of which it is made.
+y - P -> (y - sum_3) + (h2 - h2_real) * quotient + (d0_K - d0) + (P_quotient - P);
+h2 - h2_real -> (rnd_K(product_2) - product_2) + (c1_K - c1) + (h1 - h1_real) * quotient;
+h1 - h1_real -> (rnd_K(product_1) - product_1) + (b_K - b) + (a_K - a) * quotient;
+P_quotient - P ->
+  (quotient - s) * (a * (quotient * quotient + quotient * s + s * s) + b * (quotient + s) + c1);
+
+# The terms depend on s: bounded piece by piece, they do not take their worst values together.
+error $ s in 256;
+)",
+                       fmt::arg("S", f.S), fmt::arg("K", f.K), fmt::arg("O", f.O), fmt::arg("a", published.a),
+                       fmt::arg("b", published.b), fmt::arg("c1", published.c1), fmt::arg("d0", published.d0),
+                       fmt::arg("a_K", f.a), fmt::arg("b_K", f.b), fmt::arg("c1_K", f.c1), fmt::arg("d0_K", f.d0));
+}
+
+std::vector<GeneratedFile> emit_bps(const Profile& profile, const Architecture& architecture) {
+    const BpsFormat f = bps_format(profile);
+    // The constants of f_bps are below 4 in magnitude, with 1.0 as 2^K: K + 3 bits with the sign.
+    const auto literal = [&](std::int64_t value) { return verilog_literal(value, f.K + 3); };
+    const auto text = [](std::int64_t value) { return std::to_string(value); };
+    auto files =
+        generated_sources("bps", profile, architecture, {{block::ports(), block::ratio(f.S), block::horner(3)}},
+                          {{"F", text(f.F), ""},
+                           {"S", text(f.S), ""},
+                           {"K", text(f.K), ""},
+                           {"O", text(f.O), ""},
+                           {"A", literal(f.a), ""},
+                           {"B", literal(f.b), ""},
+                           {"C1", literal(f.c1), ""},
+                           {"D0", literal(f.d0), ""}},
+                          {{"int F", text(f.F), "fraction bits of the cosine"},
+                           {"int S", text(f.S), "fraction bits of the quotient"},
+                           {"int K", text(f.K), "fraction bits of the constants below"},
+                           {"int O", text(f.O), "fraction bits of the output"},
+                           {"std::int64_t a", text(f.a), ""},
+                           {"std::int64_t b", text(f.b), ""},
+                           {"std::int64_t c1", text(f.c1), ""},
+                           {"std::int64_t d0", text(f.d0), ""}});
+    files.push_back(
+        gappa_script("bps", profile, fmt::format("F, S, K, O: {}, {}, {}, {}", f.F, f.S, f.K, f.O), bps_gappa_body(f)));
+    return files;
+}
+
+std::vector<HardCase> bps_hard_cases(const GoldenModel& model) {
+    const int one = model.profile().one();
+    const std::vector<std::string_view> everywhere{"exhaustive", "kernel", "oracle", "bound"};
+    const std::vector<std::string_view> around_cut{"exhaustive", "kernel", "oracle", "bound", "sign-changes"};
+    // The code whose Schlick fraction is nearest to s: c = n s / (1 + (n - 1) s).
+    const auto at = [&](double s, int n) {
+        return static_cast<std::int32_t>(std::lround(n * s / (1.0 + (n - 1) * s) * one));
+    };
+    // Walks from a code in steps until the result is (or is not) 0.
+    const auto walk = [&](int n, std::int32_t code, int step, bool zero) {
+        while (code > 0 && code < one && (model.eval(n, code) == 0) != zero) code += step;
+        return code;
+    };
+    const std::int32_t middle = at(0.066, 50);  // the polynomial's minimum, -0.0094
+    return {
+        {"constant divisor", 1, one / 2, "D = 2^F whatever c: a divider that expects D > 2^F fails", everywhere},
+        {"largest divisor", 1023, 0, "D = 1023 2^F needs all of its F + 10 bits", everywhere},
+        {"c = 0", 50, 0, "quotient 0: the result is d0, the lobe's floor, and must not be taken for 0", everywhere},
+        {"c = 1 ulp, n = 1", 1, 1, "least nonzero dividend", everywhere},
+        {"c = 1 ulp, n = 1023", 1023, 1, "quotient 0 though c > 0", everywhere},
+        {"c = 1 - 1 ulp, n = 1", 1, one - 1, "quotient next to 2^S", everywhere},
+        {"c = 1 - 1 ulp, n = 1023", 1023, one - 1,
+         "steepest place: one code of c moves the quotient by up to n 2^(S-F)", everywhere},
+        {"c = 1", 1000, one, "quotient 2^S needs the bit S; the peak is 0.9927, not 1", everywhere},
+        {"last result before the cut", 50, walk(50, middle, -1, false),
+         "s near 0.0078: the polynomial turns negative; an unsigned result would wrap to almost 1", around_cut},
+        {"deepest below 0", 50, middle, "s near 0.066: the sum is negative; max(0, .) has to see its sign", around_cut},
+        {"first result after the cut", 50, walk(50, middle, 1, false), "s near 0.126: the polynomial turns positive",
+         around_cut},
+        {"largest h2",
+         50,
+         at(0.918, 50),
+         "h2 reaches 1.001: one integer bit and a sign, not a fraction",
+         {"exhaustive", "kernel", "oracle", "bound", "widths"}},
+        {"n = 0", 0, one / 2, "(n - 1) would wrap to 1023; counts as 1", covered_illegal},
+        {"c just above 1", 50, one + 1, "1 - c would be negative and D too small; counts as 1", covered_illegal},
+        {"greatest code", 1023, 2 * one - 1, "as above, at the end of the port", covered_illegal},
+        {"c just below 0", 50, -1, "would be a huge unsigned number; the result is 0", covered_illegal},
+        {"least code", 1, -2 * one, "its negative does not fit the port", covered_illegal},
+        {"n = 0 and c < 0", 0, -one, "two corrections at once: the result is 0, clamped once", covered_illegal},
+    };
+}
+
+}  // namespace
+
 Lobe bps_lobe();
 
 Lobe bps_lobe() {
@@ -183,10 +310,6 @@ Lobe bps_lobe() {
             make_bps,       emit_bps,
             bps_hard_cases, {},
             true,           bps_numbers};
-}
-
-std::unique_ptr<GoldenModel> make_bps(const Profile& profile) {
-    return std::make_unique<Bps>(profile, bps_format(profile));
 }
 
 }  // namespace glint

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "lobe.hpp"
+#include "powers.hpp"
 
 namespace glint {
 namespace {
@@ -138,24 +139,13 @@ error = (y - s4 * s4) * 1b{O};
 
 # The powers of C.
 C_r = floor_S(C);
-C_r2 = rnd_S(C_r * C_r);
-C_r4 = rnd_S(C_r2 * C_r2);
-C2 = C * C;
-C4 = C2 * C2;
-error_1 = (rnd_O(C_r) - C) * 1b{O};
-error_2 = (rnd_O(C_r * C_r) - C2) * 1b{O};
-error_3 = (rnd_O(C_r2 * C_r) - C2 * C) * 1b{O};
-error_4 = (rnd_O(C_r2 * C_r2) - C4) * 1b{O};
-error_5 = (rnd_O(C_r4 * C_r) - C4 * C) * 1b{O};
-error_6 = (rnd_O(C_r4 * C_r2) - C4 * C2) * 1b{O};
-error_8 = (rnd_O(C_r4 * C_r4) - C4 * C4) * 1b{O};
+{small_powers}
 
 {{ C in [0, 1] /\ n in [7, 1023] /\ num >= 0 /\ den - num >= 0 ->
   # Claimed, since the words of the hardware rest on it.
   m in [-1, 1015] /\ x in [-1, 1015] /\ den in [14, 1099] /\ r in [0, 1] /\ r2 in [0, 1] /\ r4 in [0, 1] /\
   y in [0, 1] /\
-  error_1 in [-1, 1] /\ error_2 in [-1, 1] /\ error_3 in [-1, 1] /\ error_4 in [-1, 1] /\ error_5 in [-1, 1] /\
-  error_6 in [-1, 1] /\ error_8 in [-1, 1] /\
+  {small_power_claims}
   # What is asked.
   m in ? /\ x in ? /\ num in ? /\ den in ? /\ r in ? /\ r2 in ? /\ r4 in ? /\ y in ? /\ error in ? }}
 
@@ -170,7 +160,9 @@ r * r - s2 -> (r - s) * (r + s);
 r2 * r2 - s4 -> (r2 - s2) * (r2 + s2);
 r4 * r4 - s4 * s4 -> (r4 - s4) * (r4 + s4);
 )",
-                       fmt::arg("F", f.F), fmt::arg("S", f.S), fmt::arg("O", f.O), fmt::arg("tail", 8 * (f.F + 3)));
+                       fmt::arg("F", f.F), fmt::arg("S", f.S), fmt::arg("O", f.O),
+                       fmt::arg("small_powers", gappa_small_powers(f.O)),
+                       fmt::arg("small_power_claims", gappa_small_power_claims), fmt::arg("tail", 8 * (f.F + 3)));
 }
 
 std::vector<GeneratedFile> emit_cayley(const Profile& profile, const Architecture& architecture) {
@@ -198,27 +190,9 @@ std::vector<GeneratedFile> emit_cayley(const Profile& profile, const Architectur
 
 std::vector<HardCase> cayley_hard_cases(const GoldenModel& model) {
     const int one = model.profile().one();
-    const std::string everywhere = "cosim.lobes.exhaustive, labels hls and oracle";
     auto cases = common_hard_cases(model);
     const auto add = [&](std::string name, int n, std::int32_t code, std::string risk) {
-        cases.push_back({std::move(name), n, code, std::move(risk), everywhere});
-    };
-    // The least code whose num, or whose result, is not 0: both rise with c.
-    const auto first = [&](int n, bool result) {
-        std::int32_t low = 0;
-        std::int32_t high = one;
-        while (low < high) {
-            const std::int32_t middle = low + (high - low) / 2;
-            const auto trace = model.trace(n, middle);
-            const auto num = std::ranges::find(trace, "num", &Intermediate::name);
-            const bool zero = result ? trace.back().code == 0 : num->code == 0;
-            if (zero) {
-                low = middle + 1;
-            } else {
-                high = middle;
-            }
-        }
-        return low;
+        cases.push_back({std::move(name), n, code, std::move(risk)});
     };
     add("n = 7, c = 0", 7, 0, "the only m below 0: den is the least, 14 and a little, and x negative");
     add("n = 7, c = 1 - 1 ulp", 7, one - 1, "x = -1, whose floored sixteenth is -1, not 0");
@@ -227,10 +201,10 @@ std::vector<HardCase> cayley_hard_cases(const GoldenModel& model) {
     add("n = 5, c = 3/4", 5, one / 4 * 3, "the power 5 is the product of unlike powers");
     add("largest den", 1023, 0, "1099 needs all of its F + 11 bits, and num is far below 0");
     for (const int n : {50, 1023}) {
-        const std::int32_t cut = first(n, false);
+        const std::int32_t cut = first_code(model, n, "num");
         add(fmt::format("n = {}, last num cut to 0", n), n, cut - 1, "just below 0: a lost sign would answer almost 1");
         add(fmt::format("n = {}, first num above 0", n), n, cut, "the base leaves 0");
-        const std::int32_t nonzero = first(n, true);
+        const std::int32_t nonzero = first_code(model, n, "y");
         add(fmt::format("n = {}, last result 0", n), n, nonzero - 1, "rounding of the last product");
         add(fmt::format("n = {}, first result above 0", n), n, nonzero, "rounding of the last product");
     }

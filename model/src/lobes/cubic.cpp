@@ -158,7 +158,7 @@ std::vector<GeneratedFile> emit_cubic(const Profile& profile, const Architecture
 # A name here has the meaning of docs/lobes/cubic.md, but stands for the value, not the code: t is n X / 2^F, T its
 # rounding to S bits, g1 .. g3 are the coefficients of some n, g1_K .. g3_K their roundings to K bits; y is before the
 # cut of what is below 0, which brings no two numbers further apart. Where X >= cut, y and the real function are both 0.
-# The ranges of the coefficients, and that t <= 3 where it counts, are those of the table: tests/unit/cubic_test.cpp.
+# The ranges of the coefficients, and that t <= 3 where it counts, are those of the table: a unit test reads them there.
 #@-Wno-null-denominator
 
 @rnd_S = fixed<-{S}, nu>;
@@ -206,16 +206,14 @@ std::vector<HardCase> cubic_hard_cases(const GoldenModel& model) {
     std::vector<HardCase> cases = common_hard_cases(model);
     const int one = model.profile().one();
     const CubicFormat f = cubic_format(model.profile());
-    const std::string everywhere = "cosim.lobes.exhaustive, labels hls and oracle";
     for (const int n : {4, 50, 1023}) {
         const auto cut = static_cast<std::int32_t>(f.rows[static_cast<std::size_t>(n)].cut);
         cases.push_back({fmt::format("last before the cut, n = {}", n), n, one - cut + 1,
-                         "next to the local minimum, which is above 0: the result jumps to 0", everywhere});
+                         "next to the local minimum, which is above 0: the result jumps to 0"});
         cases.push_back({fmt::format("first in the cut, n = {}", n), n, one - cut,
-                         "beyond it the cubic grows again, to 3.6e5 at n = 1000", everywhere});
+                         "beyond it the cubic grows again, to 3.6e5 at n = 1000"});
     }
-    cases.push_back(
-        {"n = 3, c = 1 ulp", 3, 1, "no cut for n <= 3: t reaches 3 and the result 0 by itself", everywhere});
+    cases.push_back({"n = 3, c = 1 ulp", 3, 1, "no cut for n <= 3: t reaches 3 and the result 0 by itself"});
     return cases;
 }
 

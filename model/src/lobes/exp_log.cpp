@@ -155,28 +155,16 @@ Exp2 make_exp2(std::string_view lobe, int E, int S, int O) {
 }
 
 void add_end_cases(const GoldenModel& model, std::vector<HardCase>& cases) {
-    const int one_code = model.profile().one();
-    const std::string everywhere = "cosim.lobes.exhaustive, labels hls and oracle";
-    // The first code with at least this result; results never fall when the cosine grows.
-    const auto first = [&](int n, std::uint32_t result) {
-        int below = -1;
-        int code = one_code;
-        while (code - below > 1) {
-            const int middle = below + (code - below) / 2;
-            (model.eval(n, middle) >= result ? code : below) = middle;
-        }
-        return code;
-    };
     for (const int n : {1, 50, 1023}) {
-        const int rises = first(n, 1);
+        const int rises = first_code(model, n, "y");
         if (rises > 0) {
+            cases.push_back({fmt::format("n = {}, last 0", n), n, rises - 1, "the last shift to leave nothing"});
             cases.push_back(
-                {fmt::format("n = {}, last 0", n), n, rises - 1, "the last shift to leave nothing", everywhere});
-            cases.push_back({fmt::format("n = {}, first result", n), n, rises,
-                             "a half that rounds up from below the last place", everywhere});
+                {fmt::format("n = {}, first result", n), n, rises, "a half that rounds up from below the last place"});
         }
-        cases.push_back({fmt::format("n = {}, first 1", n), n, first(n, 1U << model.profile().O),
-                         "rounds up to 1 below the peak: the carry reaches bit O", everywhere});
+        cases.push_back({fmt::format("n = {}, first 1", n), n,
+                         first_code(model, n, "y", std::int64_t{1} << model.profile().O),
+                         "rounds up to 1 below the peak: the carry reaches bit O"});
     }
 }
 

@@ -2,7 +2,6 @@
 // files.
 #pragma once
 
-#include <array>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -13,6 +12,7 @@
 #include "../domain.hpp"
 #include "glint/error.hpp"
 #include "glint/fixed_point.hpp"
+#include "glint/lanes.hpp"
 #include "glint/lobes.hpp"
 #include "glint/reference.hpp"
 
@@ -23,14 +23,23 @@ namespace glint {
 ///   Steps steps(int n, std::int64_t C) const;     the integers for corrected arguments; Steps has a member y
 ///   std::vector<Intermediate> named(std::int64_t C, const Steps&) const;     them with their names; ends with y
 ///   double real(double c, double n) const;        the real function, 0 <= c <= 1, n >= 1
+/// A lobe that is worth it adds loops for vector lanes (glint/lanes.hpp); PlainModel uses those that are there:
+///   bool has_lanes() const;                       whether the word lengths fit the loop `lanes`
+///   static void lanes(const Format&, n, cos_code, packed, count);     eval_port and pack, element by element, on
+///                                                                     pointers as in GoldenModel::eval_port_batch
+///   static void real_lanes(double n, std::span<const double> c, std::span<double> out);     `real`
 template <class Format>
 class PlainModel final : public GoldenModel {
 public:
     PlainModel(const Profile& profile, const Format& format) : GoldenModel(Format::lobe, profile), f_(format) {}
 
     void reference(double n, std::span<const double> c, std::span<double> out) const override {
-        const std::size_t count = std::min(c.size(), out.size());
-        for (std::size_t i = 0; i < count; ++i) out[i] = f_.real(c[i], n);
+        if constexpr (requires { Format::real_lanes(n, c, out); }) {
+            Format::real_lanes(n, c, out);
+        } else {
+            const std::size_t count = std::min(c.size(), out.size());
+            for (std::size_t i = 0; i < count; ++i) out[i] = f_.real(c[i], n);
+        }
     }
 
 private:
@@ -42,6 +51,9 @@ private:
     }
     void batch(std::span<const std::uint16_t> n, std::span<const std::int32_t> cos_code,
                std::span<std::uint32_t> packed) const override {
+        if constexpr (requires { f_.has_lanes(); }) {
+            if (f_.has_lanes()) return Format::lanes(f_, n.data(), cos_code.data(), packed.data(), n.size());
+        }
         const std::int32_t one = profile().one();
         for (std::size_t i = 0; i < n.size(); ++i) {
             const Corrected in = correct(n[i], cos_code[i], one);
@@ -51,24 +63,6 @@ private:
 
     Format f_;
 };
-
-/// The powers 1, 2, 4, 8, 16 of a fraction r = 0 .. 2^S by repeated squaring, each rounded to S bits.
-using Powers = std::array<std::int64_t, 5>;
-inline Powers powers_by_squaring(std::int64_t r, int S) {
-    Powers p{r};
-    for (std::size_t i = 1; i < p.size(); ++i) p[i] = rnd(p[i - 1] * p[i - 1], S);
-    return p;
-}
-
-/// A power of r at O bits, as one product of two of `p` (or of r and 1.0): `power` is 1 .. 6, 8, 16 or 32.
-inline std::int64_t power_of(const Powers& p, int power, int S, int O) {
-    const std::int64_t left = power <= 2 ? p[0] : power <= 4 ? p[1] : power <= 8 ? p[2] : power == 16 ? p[3] : p[4];
-    const std::int64_t right = power == 1                               ? std::int64_t{1} << S
-                               : power == 2 || power == 3 || power == 5 ? p[0]
-                               : power == 4 || power == 6               ? p[1]
-                                                                        : left;
-    return rnd(left * right, 2 * S - O);
-}
 
 /// A number of a custom profile within its legal range. Throws Error.
 int in_range(std::string_view lobe, std::string_view what, int value, int low, int high);
@@ -107,13 +101,23 @@ TableText table_text(const std::vector<Table>& tables);
 /// `files`, and the modules of tables, a file each; one that several tables share is there once.
 std::vector<GeneratedFile> with_tables(std::vector<GeneratedFile> files, const std::vector<Table>& tables);
 
-/// An HLS header of constants <module>_<profile>_constants.hpp: the arguments of `glint emit` that write it, and the
-/// document that says what they mean.
-struct HeaderNames {
-    std::string module, command, document;
+/// An HLS kernel: a function template on a struct of constants, in <folder>/glint_<kernel>.hpp beside the generated
+/// folder.
+struct Kernel {
+    std::string folder, kernel;
+    std::string command;    ///< the arguments of `glint emit` that write its files
+    std::string document;   ///< that says what it computes
+    std::string result;     ///< of its top function: the type,
+    std::string arguments;  ///< the arguments,
+    std::string passed;     ///< and what of them the kernel gets
 };
-GeneratedFile constants_header(const HeaderNames& names, const Profile& profile, const std::vector<Constant>& constants,
+
+/// Its header glint_<kernel>_<profile>_constants.hpp: the constants, and the declaration of the top function.
+GeneratedFile constants_header(const Kernel& kernel, const Profile& profile, const std::vector<Constant>& constants,
                                const std::vector<Table>& tables);
+
+/// Its top function glint_<kernel>_<profile>, one result a clock, in a file of that name.
+GeneratedFile top_function(const Kernel& kernel, const Profile& profile);
 
 /// A signed Verilog literal of `width` bits. Legal: |value| < 2^(width - 1).
 std::string verilog_literal(std::int64_t value, int width);
@@ -129,10 +133,17 @@ std::vector<GeneratedFile> generated_sources(std::string_view lobe, const Profil
                                              const std::vector<Constant>& hls_constants,
                                              const std::vector<Table>& tables = {});
 
-/// The Gappa script of a lobe at a profile, headed as proofs/gappa/run.py wants it. `format` says the word lengths,
-/// e.g. "F, S, O: 18, 15, 12".
+/// The Gappa script of a lobe at a profile, headed as the runner of the proofs wants it. `format` says the word
+/// lengths, e.g. "F, S, O: 18, 15, 12".
 GeneratedFile gappa_script(std::string_view lobe, const Profile& profile, std::string_view format,
                            std::string_view body);
+
+/// The least cosine code at which the intermediate value `name` of a model is at least `least`. Legal: a value that is
+/// at c = 1, and at every cosine above one at which it is.
+std::int32_t first_code(const GoldenModel& model, int n, std::string_view name, std::int64_t least = 1);
+
+/// What covers a case that the ports correct.
+inline const std::vector<std::string_view> covered_illegal{"illegal", "kernel", "oracle"};
 
 /// The cases that belong to every lobe, legal and illegal: n at its ends, c = 0, 1 ulp, 1 - 1 ulp .. 1 - 16 ulp, 1, and
 /// all that the ports correct. A lobe's own come after them.

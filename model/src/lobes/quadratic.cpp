@@ -116,24 +116,19 @@ y - f -> (y - product_y) + C * ((w - line) + (slope - slope_K) * m);
 std::vector<HardCase> quadratic_hard_cases(const GoldenModel& model) {
     const QuadraticFormat f = quadratic_format(model.profile());
     const int one = model.profile().one();
-    const std::string everywhere = "cosim.lobes.exhaustive, labels hls and oracle";
     auto cases = common_hard_cases(model);
-    cases.push_back({"n = 1, c = 1/4", 1, one / 4, "n = 1 is not cut: w is positive for every cosine", everywhere});
+    cases.push_back({"n = 1, c = 1/4", 1, one / 4, "n = 1 is not cut: w is positive for every cosine"});
     for (const int n : {2, 50, 1000}) {
         // scaled d <= 2^(F+K): the line is not cut.
         const std::int64_t d = (std::int64_t{1} << (f.F + f.K)) / (f.slope * n);
         const auto first = static_cast<std::int32_t>(one - d);
         cases.push_back({fmt::format("n = {}, the last cosine that is cut", n), n, first - 1,
-                         "the line is negative by its last bits", everywhere});
+                         "the line is negative by its last bits"});
         cases.push_back({fmt::format("n = {}, the first cosine that is not cut", n), n, first,
-                         "the line is 0 or a few of its last bits", everywhere});
-        int zero = 0;
-        for (int high = one; high - zero > 1;) {  // y never falls when c grows
-            const int middle = zero + (high - zero) / 2;
-            (model.eval(n, middle) == 0 ? zero : high) = middle;
-        }
-        cases.push_back({fmt::format("n = {}, the last y = 0", n), n, zero, "rounds down to 0", everywhere});
-        cases.push_back({fmt::format("n = {}, the first y > 0", n), n, zero + 1, "rounds up to 1 ulp", everywhere});
+                         "the line is 0 or a few of its last bits"});
+        const int zero = first_code(model, n, "y") - 1;
+        cases.push_back({fmt::format("n = {}, the last y = 0", n), n, zero, "rounds down to 0"});
+        cases.push_back({fmt::format("n = {}, the first y > 0", n), n, zero + 1, "rounds up to 1 ulp"});
     }
     return cases;
 }

@@ -1,4 +1,4 @@
-// The lobe `schlick`: docs/contract.md, section `schlick`.
+// The lobe `schlick`: docs/lobes/schlick.md.
 
 #include "lobe.hpp"
 
@@ -51,7 +51,7 @@ std::vector<GeneratedFile> emit_schlick(const Profile& profile, const Architectu
                            {"int O", std::to_string(f.O), "fraction bits of the output"}});
     files.push_back(gappa_script("schlick", profile, fmt::format("F, O: {}, {}", f.F, f.O),
                                  fmt::format(R"(
-# A name here has the meaning of docs/contract.md, but stands for the value, not the code. Gappa checks each equation as
+# A name here has the meaning of docs/lobes/schlick.md, but stands for the value, not the code. Gappa checks each equation as
 # algebra, for D other than 0, and warns of that; where it divides by D, D <> 0 is asked for, and proven.
 #@-Wno-null-denominator
 

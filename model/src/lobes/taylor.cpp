@@ -5,6 +5,7 @@
 
 #include "lobe.hpp"
 #include "numbers.hpp"
+#include "powers.hpp"
 
 namespace glint {
 namespace {
@@ -132,23 +133,12 @@ error = (y - s8 * s8) * 1b{O};
 
 # The powers of C.
 C_r = rnd_S(C);
-C_r2 = rnd_S(C_r * C_r);
-C_r4 = rnd_S(C_r2 * C_r2);
-C2 = C * C;
-C4 = C2 * C2;
-error_1 = (rnd_O(C_r) - C) * 1b{O};
-error_2 = (rnd_O(C_r * C_r) - C2) * 1b{O};
-error_3 = (rnd_O(C_r2 * C_r) - C2 * C) * 1b{O};
-error_4 = (rnd_O(C_r2 * C_r2) - C4) * 1b{O};
-error_5 = (rnd_O(C_r4 * C_r) - C4 * C) * 1b{O};
-error_6 = (rnd_O(C_r4 * C_r2) - C4 * C2) * 1b{O};
-error_8 = (rnd_O(C_r4 * C_r4) - C4 * C4) * 1b{O};
+{small_powers}
 
 {{ C in [0, 1] /\ n in [1, 1023] /\ w in [0, 1] /\ w_real in [0, 1] ->
   # Claimed, since the words of the hardware rest on it.
   e in [0, 1.625] /\ v in [0, 1] /\ r in [0.5, 1] /\ r2 in [0, 1] /\ r4 in [0, 1] /\ r8 in [0, 1] /\ y in [0, 1] /\
-  error_1 in [-1, 1] /\ error_2 in [-1, 1] /\ error_3 in [-1, 1] /\ error_4 in [-1, 1] /\ error_5 in [-1, 1] /\
-  error_6 in [-1, 1] /\ error_8 in [-1, 1] /\
+  {small_power_claims}
   # What is asked.
   e in ? /\ x in ? /\ v in ? /\ r in ? /\ r2 in ? /\ r4 in ? /\ r8 in ? /\ y in ? /\ error in ? }}
 
@@ -161,7 +151,9 @@ r2 * r2 - s4 -> (r2 - s2) * (r2 + s2);
 r4 * r4 - s8 -> (r4 - s4) * (r4 + s4);
 r8 * r8 - s8 * s8 -> (r8 - s8) * (r8 + s8);
 )",
-                       fmt::arg("E", f.E), fmt::arg("S", f.S), fmt::arg("O", f.O));
+                       fmt::arg("E", f.E), fmt::arg("S", f.S), fmt::arg("O", f.O),
+                       fmt::arg("small_powers", gappa_small_powers(f.O)),
+                       fmt::arg("small_power_claims", gappa_small_power_claims));
 }
 
 std::vector<GeneratedFile> emit_taylor(const Profile& profile, const Architecture& architecture) {
@@ -191,27 +183,9 @@ std::vector<GeneratedFile> emit_taylor(const Profile& profile, const Architectur
 
 std::vector<HardCase> taylor_hard_cases(const GoldenModel& model) {
     const int one = model.profile().one();
-    const std::string everywhere = "cosim.lobes.exhaustive, labels hls and oracle";
     auto cases = common_hard_cases(model);
     const auto add = [&](std::string name, int n, std::int32_t code, std::string risk) {
-        cases.push_back({std::move(name), n, code, std::move(risk), everywhere});
-    };
-    // The least code whose base, or whose result, is not 0: both rise with c.
-    const auto first = [&](int n, bool result) {
-        std::int32_t low = 0;
-        std::int32_t high = one;
-        while (low < high) {
-            const std::int32_t middle = low + (high - low) / 2;
-            const auto trace = model.trace(n, middle);
-            const auto r = std::ranges::find(trace, "r", &Intermediate::name);
-            const bool zero = result ? trace.back().code == 0 : r->code == 0;
-            if (zero) {
-                low = middle + 1;
-            } else {
-                high = middle;
-            }
-        }
-        return low;
+        cases.push_back({std::move(name), n, code, std::move(risk)});
     };
     add("n = 7, c = 0", 7, 0, "x = 0.71: the only n with a rounded tail of its own, never cut");
     add("n = 9, c = 0", 9, 0, "x = 0.91, v small: not cut");
@@ -221,11 +195,11 @@ std::vector<HardCase> taylor_hard_cases(const GoldenModel& model) {
     add("n = 7, c = 1", 7, one, "the square of v = 1 needs the bit that the base adds 1/2 to");
     add("largest x", 1023, 0, "1023 * 1.625 needs all of its E + 11 bits");
     for (const int n : {50, 1023}) {
-        const std::int32_t cut = first(n, false);
+        const std::int32_t cut = first_code(model, n, "r");
         add(fmt::format("n = {}, last base cut to 0", n), n, cut - 1,
             "x just above 1: without the cut the base would grow again");
         add(fmt::format("n = {}, first base above 0", n), n, cut, "x just below 1: the base jumps from 0 to 1/2");
-        const std::int32_t nonzero = first(n, true);
+        const std::int32_t nonzero = first_code(model, n, "y");
         add(fmt::format("n = {}, last result 0", n), n, nonzero - 1, "rounding of the last product, or the jump");
         add(fmt::format("n = {}, first result above 0", n), n, nonzero, "rounding of the last product, or the jump");
     }
