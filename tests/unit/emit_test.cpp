@@ -118,8 +118,6 @@ TEST_CASE("the wrapper of an effect with another lobe is that with bps, but for 
             CAPTURE(effect, name);
             const auto files = find_effect(effect).emit(parse_profile("p12"), lobe.name);
             const auto of_bps = find_effect(effect).emit(parse_profile("p12"), "bps");
-            REQUIRE(files.size() == 2);  // and that of its lobe
-            REQUIRE(of_bps.size() == 2);
             const std::string renamed = replaced(of_bps[0].text, "_bps_", "_" + name + "_");
             CHECK(files[0].text == replaced(renamed, "--lobe bps ", "--lobe " + name + " "));
         }
