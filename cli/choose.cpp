@@ -41,6 +41,8 @@ struct Wish {
 
     /// "--max-luts 1200"
     std::string with(const std::string& value) const { return fmt::format(fmt::runtime(option), value); }
+    std::string name() const { return option.substr(0, option.find(' ')); }
+    bool is_switch() const { return option.find('{') == std::string::npos; }
 };
 
 std::vector<Wish> wishes(const Options& o) {
@@ -72,13 +74,23 @@ std::vector<Wish> wishes(const Options& o) {
     return out;
 }
 
+/// As an option takes it, without a power of ten: 0.0035, 50M.
+std::string plain(double x, Metric metric) {
+    if (x >= 1e6 && metric == Metric::throughput) return fmt::format("{:.9g}M", x / 1e6);
+    std::string out = fmt::format("{:.12f}", x);
+    out.erase(out.find_last_not_of('0') + 1);
+    if (out.ends_with('.')) out.pop_back();
+    return out;
+}
+
 /// Four significant digits, on the side where the constraint still holds for the number itself.
-std::string loosened(double x, bool more_is_better) {
+std::string loosened(double x, Metric metric) {
+    const bool more_is_better = info(metric).more_is_better;
     if (x == std::round(x) && x < 1e6) return fmt::format("{:.0f}", x);
     const double place = std::pow(10.0, std::floor(std::log10(x)) - 3.0);
     // A hair more: in binary, a multiple of the place may come out on the wrong side of itself.
     const double rounded = more_is_better ? std::floor(x / place - 1e-6) : std::ceil(x / place + 1e-6);
-    return fmt::format("{:.4g}", rounded * place);
+    return plain(std::round(rounded * place * 1e12) / 1e12, metric);
 }
 
 /// What another one costs and gives against the best: what differs by at least a hundredth.
@@ -144,9 +156,9 @@ std::vector<Step> steps(const Decision& none, const std::vector<Wish>& wanted, c
     std::vector<Step> out;
     for (const Relaxation& relaxation : none.choice.relaxations) {
         const Wish& wish = wanted[relaxation.constraint];
-        const std::string bound = loosened(relaxation.bound, info(wish.constraint.metric).more_is_better);
-        const bool is_switch = wish.option.find('{') == std::string::npos;
-        out.push_back({is_switch ? "without " + wish.option : wish.with(bound), none.all[relaxation.configuration]});
+        const std::string bound = loosened(relaxation.bound, wish.constraint.metric);
+        out.push_back(
+            {wish.is_switch() ? "without " + wish.option : wish.with(bound), none.all[relaxation.configuration]});
     }
     for (const std::string& other : priced_devices(data)) {
         if (other == device) continue;
@@ -157,7 +169,85 @@ std::vector<Step> steps(const Decision& none, const std::vector<Wish>& wanted, c
     return out;
 }
 
-int run_choose(const Options& options, const std::string& command) {
+/// What a price on one device tells of another: all but what depends on the device, which is left at its least.
+bool may_do(const Configuration& c, const std::vector<Wish>& wanted) {
+    return std::all_of(wanted.begin(), wanted.end(), [&](const Wish& wish) {
+        switch (wish.constraint.metric) {
+            case Metric::clock:
+            case Metric::latency:
+            case Metric::throughput:
+            case Metric::dsps:
+                return true;
+            default:
+                return wish.constraint.holds(c);
+        }
+    });
+}
+
+/// Configurations that have prices on other devices but none on this, and may do there and be better than the best of
+/// those that have: the fewest LUTs, which hardly depend on the device without DSP blocks, first.
+std::vector<Configuration> unpriced(const Decision& decision, const Prices& data, const Scope& scope,
+                                    const std::string& device, const std::vector<Wish>& wanted, Metric best_in) {
+    const auto same = [](const Configuration& a, const Configuration& b) {
+        return a.lobe == b.lobe && a.profile == b.profile && a.architecture == b.architecture;
+    };
+    const bool no_dsp = std::any_of(wanted.begin(), wanted.end(), [](const Wish& wish) {
+        return wish.constraint.metric == Metric::dsps && wish.constraint.bound == 0.0;
+    });
+    std::vector<Configuration> out;
+    for (Configuration& c : join(data, scope, "")) {
+        const auto is_priced = [&](const Configuration& other) {
+            return same(c, other) && !(no_dsp && other.dsp && other.dsps > 0);
+        };
+        if (c.dsp || c.device == device || !in_registry(c) || !may_do(c, wanted)) continue;
+        if (std::any_of(decision.all.begin(), decision.all.end(), is_priced)) continue;
+        if (std::any_of(data.fpga.begin(), data.fpga.end(), [&](const Price& p) {  // one that does not fit
+                return !p.fits && p.configuration.device == device && same(c, p.configuration) && !p.configuration.dsp;
+            })) {
+            continue;
+        }
+        if (!decision.choice.feasible.empty() && !better(best_in, c, decision.all[decision.choice.feasible.front()])) {
+            continue;
+        }
+        const auto known = std::find_if(out.begin(), out.end(), [&](const auto& other) { return same(c, other); });
+        if (known == out.end()) out.push_back(std::move(c));
+    }
+    std::stable_sort(out.begin(), out.end(), [](const auto& a, const auto& b) { return a.luts < b.luts; });
+    return out;
+}
+
+/// The commands that price them, at most five, for people.
+void print_unpriced(const std::vector<Configuration>& some, const std::string& device, bool no_dsp, Json& json) {
+    json["unpriced"] = Json::array();
+    if (some.empty()) return;
+    constexpr std::size_t most = 5;
+    fmt::print("{} without a price on {} could be better, by their prices elsewhere{}; these price them:\n",
+               some.size(), device, some.size() > most ? fmt::format(" (the first {})", most) : "");
+    for (const Configuration& c : some) {
+        const std::string line = fmt::format("glint cost --fpga --lobe {} --profile {} --architecture {} --device {}{}",
+                                             c.lobe, c.profile, c.architecture, device, no_dsp ? " --dsp off" : "");
+        if (json["unpriced"].size() < most) fmt::print("  {}\n", line);
+        json["unpriced"].push_back({{"command", line}, {"luts", c.luts}, {"priced_on", c.device}, {"error", c.error}});
+    }
+}
+
+/// A line where what is asked for needs clocks and the device's prices have none; else empty.
+std::string without_clocks(const std::vector<Configuration>& all, const std::string& device,
+                           const std::vector<Wish>& wanted, Metric best_in) {
+    if (std::any_of(all.begin(), all.end(), [](const Configuration& c) { return c.clock_mhz.has_value(); })) return {};
+    const auto needs = [](Metric metric) {
+        return metric == Metric::clock || metric == Metric::latency || metric == Metric::ns ||
+               metric == Metric::throughput;
+    };
+    std::string option = needs(best_in) ? fmt::format("--minimize {}", info(best_in).name) : "";
+    for (const Wish& wish : wanted) {
+        if (needs(wish.constraint.metric)) option = wish.name();
+    }
+    if (option.empty()) return {};
+    return fmt::format("prices on {} are resources alone, without a clock: {} says nothing there\n", device, option);
+}
+
+int run_choose(Options options, const std::string& command) {
     io::check_writable(options.json);
     const Metric best_in = find_metric(options.minimize).metric;
     const std::vector<Wish> wanted = wishes(options);
@@ -166,17 +256,16 @@ int run_choose(const Options& options, const std::string& command) {
         if (wish.constraint.metric == Metric::clock) scope.asked_mhz = wish.constraint.bound;
     }
     const Prices data = read_cost_data(options.data);
-    check_device(data, options.device);
+    options.device = priced_device(data, options.device);
     const Decision decision = decide(data, scope, options.device, wanted, best_in);
     const Choice& choice = decision.choice;
 
     std::vector<std::string> asked;
     Json wanted_json = Json::array();
     for (const Wish& wish : wanted) {
-        asked.push_back(wish.with(fmt::format("{:g}", wish.constraint.bound)));
-        wanted_json.push_back({{"option", wish.option.substr(0, wish.option.find(' '))},
-                               {"metric", info(wish.constraint.metric).name},
-                               {"bound", wish.constraint.bound}});
+        asked.push_back(wish.with(plain(wish.constraint.bound, wish.constraint.metric)));
+        wanted_json.push_back(
+            {{"option", wish.name()}, {"metric", info(wish.constraint.metric).name}, {"bound", wish.constraint.bound}});
     }
     Json json{{"tool", "glint choose"},
               {"version", GLINT_VERSION},
@@ -195,10 +284,15 @@ int run_choose(const Options& options, const std::string& command) {
     fmt::print("wanted: the best {} on {} for {}{}{}\n", options.minimize, options.device, to_text(scope),
                asked.empty() ? "" : "; ", fmt::join(asked, " "));
 
+    const std::string clockless = without_clocks(decision.all, options.device, wanted, best_in);
+    fmt::print("{}", clockless);
+    std::vector<Configuration> others;  // whose prices are worth having
+    if (clockless.empty()) others = unpriced(decision, data, scope, options.device, wanted, best_in);
+
     if (choice.feasible.empty()) {
         json["best"] = nullptr;
         json["relaxations"] = Json::array();
-        fmt::print("none of {} configurations will do", decision.all.size());
+        fmt::print("none of the {} priced configurations will do", decision.all.size());
         std::vector<std::vector<std::string>> rows{{"one change is enough", "for", "with", "LUTs", "error"}};
         for (const Step& step : steps(decision, wanted, data, scope, options.device, best_in)) {
             const Configuration& c = step.configuration;
@@ -212,6 +306,7 @@ int run_choose(const Options& options, const std::string& command) {
         } else {
             fmt::print(":\n{}", io::table(rows));
         }
+        print_unpriced(others, options.device, options.no_dsp, json);
         return finish(io::check_failed);
     }
 
@@ -235,8 +330,9 @@ int run_choose(const Options& options, const std::string& command) {
     }
     fmt::print("{}", configurations_table(shown));
     if (!notes.empty()) fmt::print("against the first:\n{}", notes);
-    fmt::print("{} of {} configurations will do; {} of those are not beaten in everything by another\n",
+    fmt::print("{} of the {} priced configurations will do; {} of those are not beaten in everything by another\n",
                choice.feasible.size(), decision.all.size(), choice.worthwhile.size());
+    print_unpriced(others, options.device, options.no_dsp, json);
     fmt::print("{}\n", emit_line(shown.front()));
     return finish(io::success);
 }

@@ -103,9 +103,9 @@ private:
     void lines(const std::string& text) {
         n_.clear();
         cos_code_.clear();
-        const std::size_t first = line_;
+        std::string complaint;
         const char* end = text.data() + text.size();
-        for (const char* p = text.data(); p != end;) {
+        for (const char* p = text.data(); p != end && complaint.empty();) {
             int n = 0;
             std::int64_t code = 0;
             ++line_;
@@ -113,19 +113,29 @@ private:
             const char* q = a.ptr;
             while (q != end && *q == ' ') ++q;
             const auto b = std::from_chars(q, end, code);
-            if (a.ec != std::errc{} || b.ec != std::errc{} || q == a.ptr || *b.ptr != '\n') {
-                throw Error(fmt::format("line {} is not legal: two integers, n and the cosine's code", line_));
+            const char* last = b.ptr;
+            if (last != end && *last == '\r') ++last;
+            if (a.ec != std::errc{} || b.ec != std::errc{} || q == a.ptr || *last != '\n') {
+                complaint = fmt::format("line {} is not legal: two integers, n and the cosine's code", line_);
+                break;
             }
             try {
                 check(n, code);
             } catch (const Error& error) {
-                throw Error(fmt::format("line {}: {}", line_, error.what()));
+                complaint = fmt::format("line {}: {}", line_, error.what());
+                break;
             }
             n_.push_back(static_cast<std::uint16_t>(n));
             cos_code_.push_back(static_cast<std::int32_t>(code));
-            p = b.ptr + 1;
+            p = last + 1;
         }
-        packed_.resize(line_ - first);
+        write();
+        if (!complaint.empty()) throw Error(complaint);
+    }
+
+    /// The results of the lines that were legal: also of those before one that was not.
+    void write() {
+        packed_.resize(n_.size());
         model_.eval_port_batch(n_, cos_code_, packed_);
         out_.clear();
         for (const std::uint32_t word : packed_) {
@@ -136,7 +146,7 @@ private:
                 fmt::format_to(std::back_inserter(out_), "{}\n", result.y);
             }
         }
-        if (std::fwrite(out_.data(), 1, out_.size(), stdout) != out_.size()) {
+        if (std::fwrite(out_.data(), 1, out_.size(), stdout) != out_.size() || std::fflush(stdout) != 0) {
             throw Error("standard output cannot be written");
         }
     }

@@ -113,14 +113,34 @@ int show(const EffectModel& model, const std::vector<std::int64_t>& in, const Ef
     return io::success;
 }
 
+/// Adds a line with the results of an input.
+void evaluate(const EffectModel& model, std::span<const std::int64_t> in, bool correct, std::string& out) {
+    if (!correct) {
+        for (std::size_t i = 0; i < in.size(); ++i) refuse_illegal(model.inputs()[i], in[i]);
+    }
+    const EffectResult result = model.eval_port(in);
+    for (std::size_t i = 0; i < result.values.size(); ++i) {
+        fmt::format_to(std::back_inserter(out), "{}{}", i == 0 ? "" : " ", result.values[i]);
+    }
+    out += correct ? (result.clamped ? " 1\n" : " 0\n") : "\n";
+}
+
 /// Lines with a code per input port in, lines with a code per output port (with the port semantics, `clamped` too) out.
 int stream(const EffectModel& model, bool correct) {
     const std::size_t ports = model.inputs().size();
     std::string line, out;
     std::vector<std::int64_t> in(ports);
     std::uint64_t lines = 0;
-    while (std::getline(std::cin, line)) {
+    std::string complaint;
+    const auto write = [&] {
+        if (std::fwrite(out.data(), 1, out.size(), stdout) != out.size() || std::fflush(stdout) != 0) {
+            throw Error("standard output cannot be written");
+        }
+        out.clear();
+    };
+    while (complaint.empty() && std::getline(std::cin, line)) {
         ++lines;
+        if (line.ends_with('\r')) line.pop_back();
         const char* p = line.data();
         const char* end = p + line.size();
         std::size_t got = 0;
@@ -130,26 +150,16 @@ int stream(const EffectModel& model, bool correct) {
             if (error != std::errc{}) break;
             p = next;
         }
-        if (got != ports || p != end) throw Error(fmt::format("line {} is not legal: {} integers", lines, ports));
         try {
-            if (!correct) {
-                for (std::size_t i = 0; i < ports; ++i) refuse_illegal(model.inputs()[i], in[i]);
-            }
-            const EffectResult result = model.eval_port(in);
-            for (std::size_t i = 0; i < result.values.size(); ++i) {
-                fmt::format_to(std::back_inserter(out), "{}{}", i == 0 ? "" : " ", result.values[i]);
-            }
-            out += correct ? (result.clamped ? " 1\n" : " 0\n") : "\n";
+            if (got != ports || p != end) throw Error(fmt::format("line {} is not legal: {} integers", lines, ports));
+            evaluate(model, in, correct, out);
         } catch (const Error& error) {
-            throw Error(fmt::format("line {}: {}", lines, error.what()));
+            complaint = got == ports && p == end ? fmt::format("line {}: {}", lines, error.what()) : error.what();
         }
-        if (out.size() > (std::size_t{1} << 20) || std::cin.peek() == EOF) {
-            if (std::fwrite(out.data(), 1, out.size(), stdout) != out.size()) {
-                throw Error("standard output cannot be written");
-            }
-            out.clear();
-        }
+        if (out.size() > (std::size_t{1} << 20)) write();
     }
+    write();  // also the results of the lines before one that is not legal
+    if (!complaint.empty()) throw Error(complaint);
     if (lines == 0) throw Error("standard input holds 0 lines, which is not legal: at least 1");
     return io::success;
 }

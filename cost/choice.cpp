@@ -53,7 +53,7 @@ const MetricInfo& info(Metric metric) {
 const MetricInfo& find_metric(std::string_view name) {
     std::string known;
     for (const MetricInfo& entry : table) {
-        if (entry.name == name) return entry;
+        if (entry.name == name || (name == "latency-ns" && entry.metric == Metric::latency)) return entry;
         known += fmt::format("{}{}", known.empty() ? "" : ", ", entry.name);
     }
     throw Error(fmt::format("metric '{}' is not known: {}", name, known));

@@ -53,7 +53,7 @@ struct MetricInfo {
 std::span<const MetricInfo> metrics();
 const MetricInfo& info(Metric metric);
 
-/// Throws Error with the list of the known names.
+/// "latency-ns", as the option is called, is the latency. Throws Error with the list of the known names.
 const MetricInfo& find_metric(std::string_view name);
 
 /// Nothing where it is not known, as the clock of what was only synthesized.

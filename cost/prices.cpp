@@ -133,10 +133,14 @@ std::vector<std::string> priced_devices(const Prices& data) {
     return out;
 }
 
-void check_device(const Prices& data, const std::string& device) {
+std::string priced_device(const Prices& data, const std::string& name) {
     const std::vector<std::string> known = priced_devices(data);
-    if (std::find(known.begin(), known.end(), device) != known.end()) return;
-    throw Error(fmt::format("device '{}' has no prices: {}", device, fmt::join(known, ", ")));
+    for (const std::string& start : {name, name + '-'}) {
+        for (const std::string& device : known) {
+            if (device == name || (start != name && device.starts_with(start))) return device;
+        }
+    }
+    throw Error(fmt::format("device '{}' has no prices: {}", name, fmt::join(known, ", ")));
 }
 
 Cosine parse_cosine(const std::string& text) {

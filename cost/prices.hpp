@@ -47,8 +47,9 @@ std::vector<Configuration> join(const Prices& data, const Scope& scope, const st
 /// The devices that there are prices for, in the order of the file.
 std::vector<std::string> priced_devices(const Prices& data);
 
-/// Throws Error unless there are prices for the device.
-void check_device(const Prices& data, const std::string& device);
+/// The name of a device that there are prices for: itself, or the first of a family, such as ecp5-25k for ecp5. Throws
+/// Error.
+std::string priced_device(const Prices& data, const std::string& name);
 
 /// "rounded" or "exact". Throws Error.
 Cosine parse_cosine(const std::string& text);

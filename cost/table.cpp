@@ -160,14 +160,14 @@ std::string configurations_table(const std::vector<Configuration>& all, const st
     return io::table(rows) + fpga::dsp_clock_notes(with_dsps);
 }
 
-int run_cost_table(const TableOptions& options, const std::string& command) {
+int run_cost_table(TableOptions options, const std::string& command) {
     io::check_writable(options.csv);
     io::check_writable(options.json);
     const Metric by = find_metric(options.sort).metric;
     const std::vector<Metric> axes = parse_axes(options.pareto);
     const Scope scope{parse_range(options.n, "--n", 1, max_n), parse_cosine(options.cosine), {}};
     const Prices data = read_cost_data(options.data);
-    if (options.device != "all") check_device(data, options.device);
+    if (options.device != "all") options.device = priced_device(data, options.device);
     if (options.device == "all" && !options.plots.empty()) {
         throw Error("--plots with --device all is not legal: a plot shows one device");
     }

@@ -22,7 +22,7 @@ struct TableOptions {
 };
 
 /// Throws Error.
-int run_cost_table(const TableOptions& options, const std::string& command);
+int run_cost_table(TableOptions options, const std::string& command);
 
 /// The order of a table by a metric, the best first; of equals, by the common axes, then by name.
 void sort_by(std::vector<Configuration>& all, Metric metric);

@@ -8,6 +8,8 @@
 #include <chrono>
 #include <cstdio>
 #include <fstream>
+#include <iostream>
+#include <new>
 #include <system_error>
 
 #include <fmt/format.h>
@@ -37,19 +39,51 @@ std::string explain(const CLI::ParseError& error, const CLI::App& app) {
     return fmt::format("subcommand '{}' is not known: {}", extra.front(), known);
 }
 
+/// Throws Error for an argument without a character, as a shell variable that is not set gives: CLI11 reads it as a 0,
+/// or as an option that is not there.
+void refuse_empty(int argc, char** argv) {
+    for (int i = 1; i < argc; ++i) {
+        const std::string_view text = argv[i];
+        const std::string_view before = argv[i - 1];
+        const bool option = before.size() > 1 && before.front() == '-' && i > 1;
+        if (before == "--n") continue;  // refused wherever it is read, with what is legal
+        if (text.empty()) {
+            throw Error(fmt::format("{} '' is not legal: an empty text is no value", option ? before : "argument"));
+        }
+        if (text.starts_with("--") && text.find('=') == text.size() - 1) {
+            throw Error(fmt::format("{} '' is not legal: an empty text is no value", text.substr(0, text.size() - 1)));
+        }
+    }
+}
+
+/// Throws Error unless all that was printed has arrived.
+void flush_output() {
+    std::cout.flush();
+    if (!std::cout || std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
+        throw Error("standard output cannot be written");
+    }
+}
+
 }  // namespace
 
 int run(CLI::App& app, int argc, char** argv, const std::function<int()>& command) {
     app.set_version_flag("--version", GLINT_VERSION);
     try {
-        app.parse(argc, argv);
-        const int status = command();
-        // What is still in the buffer is written here, where a failure can be told.
-        if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) throw Error("standard output cannot be written");
+        int status = success;
+        try {
+            app.parse(argc, argv);
+            refuse_empty(argc, argv);
+            status = command();
+        } catch (const CLI::ParseError& error) {
+            if (error.get_exit_code() != 0) throw;
+            status = app.exit(error);  // --help, --version
+        }
+        flush_output();  // here a failure can be told
         return status;
     } catch (const CLI::ParseError& error) {
-        if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
         fmt::print(stderr, "{}: {} (see {} --help)\n", app.get_name(), explain(error, app), app.get_name());
+    } catch (const std::bad_alloc&) {
+        fmt::print(stderr, "{}: there is not enough memory\n", app.get_name());
     } catch (const Error& error) {
         fmt::print(stderr, "{}: {}\n", app.get_name(), error.what());
     } catch (const std::system_error&) {  // fmt::print

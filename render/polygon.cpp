@@ -107,7 +107,7 @@ public:
         std::uint32_t at = 0;
         for (std::size_t i = 0; i < points_.size() && left_ > 2; ++i) at = next_[tidy(at)];
         for (std::size_t i = 0; i < left_; ++i, at = next_[at]) note(at);
-        int care = exact;
+        int care = clean;
         std::size_t misses = 0;
         while (left_ > 2) {
             const bool thin = care == tolerant && is_thin(at);
@@ -118,7 +118,7 @@ public:
                 note(at);
                 at = next_[at];  // fans are poor triangles
                 note(at);
-                care = exact;
+                care = clean;
                 misses = 0;
             } else if (misses++ < left_) {
                 at = next_[at];
@@ -133,9 +133,10 @@ public:
     }
 
 private:
-    /// How an ear is told from others: by exact tests; with corners in it that are as good as on its side, as a file's
-    /// rounded numbers bring; what turns the right way; what has an area.
-    enum Care { exact, tolerant, convex, any };
+    /// How an ear is told from others: with no corner on the line that cuts it off, which would be left without a
+    /// triangle; by exact tests; with corners in it that are as good as on its side, as a file's rounded numbers bring;
+    /// what turns the right way; what has an area.
+    enum Care { clean, exact, tolerant, convex, any };
 
     double turn(std::uint32_t i) const { return orientation(points_[previous_[i]], points_[i], points_[next_[i]]); }
 
@@ -208,9 +209,10 @@ private:
                 const auto& [from, to] = sides[s];
                 inside[s] = orientation(from, to, p);
                 const double margin = tolerance_ * std::hypot(to.x - from.x, to.y - from.y);
-                out = care == exact ? inside[s] < 0.0 : inside[s] <= margin;
+                out = care <= exact ? inside[s] < 0.0 : inside[s] <= margin;
             }
             if (out) continue;
+            if (care == clean && inside[2] == 0.0 && p != a && p != c) return false;
             // On a side, or at a corner, it is in the way only where one of its own sides leads into the triangle.
             for (const std::uint32_t neighbour : {previous_[other], next_[other]}) {
                 bool enters = true;

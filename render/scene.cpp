@@ -349,7 +349,9 @@ Json parse_json(const std::string& text, const std::string& file) {
     return Json::parse(text);
 }
 
-Scene load_json(const std::string& text, const std::filesystem::path& path, double aspect) {
+}  // namespace
+
+Scene parse_scene(const std::string& text, const std::filesystem::path& path, double aspect) {
     const std::string file = path.string();
     const Json json = parse_json(text, file);
     const Part part(json, file, {"about", "objects", "materials", "lights", "ambient", "background", "camera"});
@@ -394,11 +396,9 @@ Scene load_json(const std::string& text, const std::filesystem::path& path, doub
     return scene;
 }
 
-}  // namespace
-
 Scene load_scene(const std::filesystem::path& path, double aspect) {
     const std::string extension = lower(path.extension().string());
-    if (extension == ".json") return load_json(read_file(path), path, aspect);
+    if (extension == ".json") return parse_scene(read_file(path), path, aspect);
     if (extension != ".obj") {
         throw Error(fmt::format("scene '{}' is not legal: a file NAME.json or NAME.obj", path.string()));
     }

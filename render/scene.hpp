@@ -67,6 +67,9 @@ struct Scene {
 /// what is legal.
 Scene load_scene(const std::filesystem::path& path, double aspect);
 
+/// The same for the text of a scene file; `path` names it and is where the files that it names are looked for.
+Scene parse_scene(const std::string& text, const std::filesystem::path& path, double aspect);
+
 /// The names that the key `brdf` may have in this build.
 std::string known_models();
 

@@ -118,7 +118,6 @@ private:
         } else if (key == "l" || key == "p" || key == "curv" || key == "curv2" || key == "surf") {
             not_drawn_.at(line_.number);
         } else if (!is_passed_over(key)) {
-            if (unknown_.count == 0) unknown_key_ = printable(key);
             unknown_.at(line_.number);
         }
     }
@@ -302,29 +301,23 @@ private:
         if (out.triangles.empty()) throw Error(fmt::format("{}: there are no faces with an area", file_));
         set_normals(out, triangles, normals, areas);
 
-        if (unknown_.count != 0) {
-            warn(fmt::format("{} lines are not OBJ and are left out, the first is line {}: '{}'", unknown_.count,
-                             unknown_.line, unknown_key_));
-        }
-        if (not_drawn_.count != 0) {
-            warn(fmt::format("{} points, lines, curves and surfaces are not drawn, the first is in line {}",
-                             not_drawn_.count, not_drawn_.line));
-        }
+        const auto some = [&](const Seen& seen, const char* one, const char* many, const char* what) {
+            if (seen.count == 0) return;
+            warn(fmt::format("{} {} {}, the first in line {}", seen.count, seen.count == 1 ? one : many, what,
+                             seen.line));
+        };
+        some(unknown_, "line is", "lines are", "no OBJ and left out");
+        some(not_drawn_, "point, line, curve or surface is", "points, lines, curves and surfaces are", "not drawn");
+        some(crossing, "face crosses or covers", "faces cross or cover", "itself");
+        some(normal_missing, "corner has", "corners have", "a normal that is not there; it is made from the faces");
         if (!undefined.empty() && !library_missing_) {
             warn(fmt::format("material '{}' is not defined{}: its faces are grey", printable(*undefined.begin()),
-                             undefined.size() == 1 ? "" : fmt::format(" and {} more are not", undefined.size() - 1)));
+                             undefined.size() == 1 ? "" : fmt::format(", nor {} {} more", undefined.size() == 2 ? "is" : "are", undefined.size() - 1)));
         }
-        if (crossing.count != 0) {
-            warn(fmt::format("{} faces cross or cover themselves, the first is in line {}", crossing.count,
-                             crossing.line));
+        if (dropped != 0) {
+            warn(fmt::format("{} without an area {} left out",
+                             dropped == 1 ? "1 face" : fmt::format("{} faces", dropped), dropped == 1 ? "is" : "are"));
         }
-        if (normal_missing.count != 0) {
-            warn(
-                fmt::format("{} corners ask for normals that are not there, the first is in line {}; they are made "
-                            "from the faces",
-                            normal_missing.count, normal_missing.line));
-        }
-        if (dropped != 0) warn(fmt::format("{} faces without an area are left out", dropped));
     }
 
     void set_normals(Model& out, std::span<const std::array<std::uint32_t, 3>> triangles,
@@ -361,7 +354,6 @@ private:
     std::set<std::filesystem::path> libraries_;
     bool library_missing_ = false;
     Seen unknown_, not_drawn_;
-    std::string unknown_key_;
 };
 
 /// The file beside a model that its text means: with either slash, in either case, and, where the folder that is named

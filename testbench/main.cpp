@@ -160,6 +160,7 @@ int cosim_effects(const Options& options, const std::string& command) {
     if (work.empty()) throw Error("--effect all: this build has no unit of any effect");
     io::check_writable(options.json);
     io::check_writable(options.junit);
+    io::check_writable(options.trace);
     std::vector<EffectRun> runs;
     std::vector<JUnitCase> cases;
     for (const auto& [effect, model, kind] : work) {
@@ -190,6 +191,7 @@ int cosim(const Options& options, const std::string& command) {
     }
     io::check_writable(options.json);
     io::check_writable(options.junit);
+    io::check_writable(options.trace);
     std::vector<io::RunResult> runs;
     std::vector<JUnitCase> cases;
     for (const auto& [model, kind] : work) {
@@ -231,6 +233,10 @@ int main(int argc, char** argv) {
     app.add_option("--stall-probability", options.stall_probability,
                    "Chance of a bubble at the input, and of a stall at the output")
         ->check(CLI::Range(0.0, 0.99))
+        ->check([](const std::string& text) {  // a NaN is in every range
+            return text.find_first_not_of("0123456789.eE+-") == text.npos ? ""
+                                                                          : "'" + text + "' is not legal: 0 to 0.99";
+        })
         ->capture_default_str();
     io::add_integer(app, "--seed", options.seed, 0, io::largest_seed, "Seed of all that is random");
     io::add_integer(app, "--threads", options.threads, 0, io::most_threads, "Threads; 0: one a core");

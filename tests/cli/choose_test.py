@@ -243,6 +243,39 @@ class Choose(CostCase):
         self.equal(len(self.chosen("--max-error", "0.005", "--runners-up", "1")["runners_up"]), 1)
         self.equal(self.chosen("--max-error", "0.005", "--runners-up", "0")["runners_up"], [])
 
+    def test_words(self):
+        """Names as they seem to mean, numbers without powers of ten, and what the best is the best of."""
+        self.equal(self.best("--minimize", "latency-ns"), self.best("--minimize", "latency"))
+        text = self.good("choose", "--throughput", "50M")
+        self.matches(text, "--throughput 50M\n")
+        self.matches(text, r"4 of the 7 priced configurations will do")
+        for arguments in (("--throughput", "900M"), ("--max-error", "0.0000001"), ("--latency-ns", "0.001")):
+            done = self.run_tool("choose", *arguments)
+            self.equal(done.returncode, 1)
+            self.true(not re.search(r"\de[-+]\d", done.stdout), done.stdout)
+            self.matches(done.stdout, "none of the 7 priced configurations will do")
+
+    def test_device_without_clocks(self):
+        done = self.run_tool("choose", "--device", "xc7", "--clock", "50MHz")
+        self.equal(done.returncode, 1)
+        self.matches(done.stdout, "prices on xc7 are resources alone, without a clock: --clock says nothing there\n")
+        self.true("glint cost" not in done.stdout, done.stdout)
+
+    def test_without_a_price(self):
+        """What has a price elsewhere and could win here is named, with the command that prices it."""
+        found = self.chosen("--device", "up5k", "--minimize", "error", "--max-error", "0.01")
+        self.equal(found["best"]["lobe"], "blinn_phong")
+        found = self.chosen("--device", "up5k", "--max-error", "0.03")
+        commands = [entry["command"] for entry in found["unpriced"]]
+        # The others have more LUTs than the 1300 of blinn_phong.
+        self.equal(commands, ["glint cost --fpga --lobe cayley --profile p8 --architecture restoring --device up5k"])
+        done = self.run_tool("choose", "--device", "up5k", "--max-error", "0.03", "--no-dsp", "--json", "out.json")
+        self.equal(done.returncode, 1)
+        commands = [entry["command"] for entry in json.loads(self.read("out.json"))["unpriced"]]
+        line = "glint cost --fpga --lobe cayley --profile p12 --architecture iterative --device up5k --dsp off"
+        self.true(line in commands and line in done.stdout, done.stdout)
+        self.equal([entry for entry in commands if "quadratic" in entry], [])  # its error is too large
+
     def test_emit(self):
         """The line printed works, and gives the architecture asked for."""
         for arguments, words in ((("--max-error", "0.005"), ["--architecture", "iterative"]),
@@ -326,6 +359,11 @@ class Prices(Case):
         self.true(best["error"] < 0.002 and best["output_bits"] >= 12, f"{best}")
         for c in bps:
             self.true(best["luts"] <= c["luts"], f"{best} against {c}")
+
+    def test_family(self):
+        """A family's name stands for its first device."""
+        self.equal(self.chosen("--device", "ecp5"), self.chosen("--device", "ecp5-25k"))
+        self.refused("device 'ecp' has no prices: hx8k", "choose", "--data", ROOT / "cost/data", "--device", "ecp")
 
     def test_rounding_costs_little(self):
         """The same with rounding below 1 ulp costs no more than bps at p12 as shipped."""

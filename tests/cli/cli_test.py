@@ -11,7 +11,6 @@ import csv
 import itertools
 import json
 import os
-import random
 import re
 import resource
 import signal
@@ -22,6 +21,7 @@ import xml.etree.ElementTree
 from pathlib import Path
 
 from case import BITS, Case, OPTIONS, PROFILES, ROOT
+from arguments_test import Arguments, Stdin  # noqa: F401, chosen by name
 from choose_test import Choose, Cost, Prices  # noqa: F401, chosen by name
 from report_test import Report  # noqa: F401, chosen by name
 
@@ -203,60 +203,6 @@ class Eval(Case):
         text = self.good("eval", "--n", 50, "--cos", 0.98)
         self.equal(text, self.good("eval", "--lobe", "bps", "--profile", "p12", "--n", 50, "--cos-code", 256901))
         self.matches(text, r"rounding error 0\.\d+ ulp; .*approximation error 0\.\d+\n\Z")
-
-
-class Stdin(Case):
-    def test_equals_eval(self):
-        """The stream answers what eval shows for each input alone."""
-        generator = random.Random(1)
-        for profile, bits in PROFILES.items():
-            one = 1 << bits["F"]
-            inputs = [(n, code) for n in (1, 50, 1023) for code in (0, 1, one - 1, one)]
-            inputs += [(generator.randint(1, 1023), generator.randint(one - one // 50, one)) for _ in range(20)]
-            text = "".join(f"{n} {code}\n" for n, code in inputs)
-            answers = self.good("eval", "--profile", profile, "--stdin", text=text).splitlines()
-            shown = []
-            for n, code in inputs:
-                alone = self.good("eval", "--profile", profile, "--n", n, "--cos-code", code)
-                shown.append(re.search(r"^y +(\d+) ", alone, re.MULTILINE)[1])
-            self.equal(answers, shown)
-            self.true(len(set(answers)) > 10, f"{answers}")
-
-    def test_port(self):
-        inputs = [(n, code) for n in (0, 1, 1023) for code in (-524288, -1, 0, 262144, 262145, 524287)]
-        text = "".join(f"{n} {code}\n" for n, code in inputs)
-        answers = self.good("eval", "--port", "--stdin", text=text).splitlines()
-        self.equal(len(answers), len(inputs))
-        for (n, code), answer in zip(inputs, answers):
-            clamped = n == 0 or code < 0 or code > 262144
-            self.matches(answer, rf"\A\d+ {int(clamped)}\Z")
-            self.true(code >= 0 or answer == "0 1", f"{n} {code}: {answer}")
-
-    def test_many_lines(self):
-        """Lines over many blocks of input, against a vector file; the last line without its line feed too."""
-        self.good("vectors", "--count", 300000, "--seed", 7)
-        vectors = [line.split() for line in self.read("glint_bps_p12.tv").splitlines()]
-        text = "".join(f"{n} {code}\n" for n, code, _, _ in vectors)
-        self.true(len(text) > 2 << 20, f"{len(text)} bytes")
-        wanted = "".join(f"{y} {clamped}\n" for _, _, y, clamped in vectors)
-        self.true(self.good("eval", "--port", "--stdin", text=text) == wanted, "the answers are those of the vectors")
-        self.true(self.good("eval", "--port", "--stdin", text=text[:-1]) == wanted, "without the last line feed")
-        done = self.run_tool("eval", "--port", "--stdin", text=text + "1 x\n")
-        self.equal(done.returncode, 2)
-        self.matches(done.stderr, r"\Aglint: line 300001[ :].*\n\Z")
-
-    def test_refused(self):
-        self.refused("standard input.*0 lines", "eval", "--stdin", text="")
-        good = "1 2\n50 256901\n"
-        for line in ("", "1", "1 ", "1 x", "x 1", "1,2", "1 2 3", "1 2 ", " 1 2", "1.0 2", "1 0x2", "1\t2", "1 2\r"):
-            self.refused("line 3 is not legal: two integers", "eval", "--stdin", text=f"{good}{line}\n1 2\n")
-        for line, why in (("0 5", "n 0"), ("1024 5", "n 1024"), ("5 -1", "cos code -1"),
-                          ("5 262145", "cos code 262145")):
-            self.refused(f"line 3: {why} is not legal: ", "eval", "--stdin", text=f"{good}{line}\n")
-        for line, why in (("1024 5", "n 1024"), ("5 -524289", "cos code -524289"), ("5 524288", "cos code 524288")):
-            self.refused(f"line 3: {why} is not legal: ", "eval", "--stdin", "--port", text=f"{good}{line}\n")
-        for line in ("99999999999 1", "1 99999999999999999999"):
-            self.refused("line 3", "eval", "--stdin", "--port", text=f"{good}{line}\n")
 
 
 class Sweep(Case):

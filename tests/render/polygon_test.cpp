@@ -248,3 +248,13 @@ TEST_CASE("polygon: whatever the corners, no triangle is without an area and not
         }
     }
 }
+
+TEST_CASE("polygon: a corner on a straight line is a corner of triangles") {
+    std::vector<Vec3> polygon;
+    for (const Flat& p : crowded({{0, 0}, {3, 0}, {3, 1}, {1, 1}, {1, 2}, {0, 2}})) {
+        if (polygon.empty() || polygon.back() != Vec3{p[0], p[1], 0}) polygon.push_back({p[0], p[1], 0});
+    }
+    const Triangulation cut = triangulate(polygon);
+    CHECK(cut.simple);
+    CHECK(cut.triangles.size() == polygon.size() - 2);
+}

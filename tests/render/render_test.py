@@ -376,34 +376,6 @@ class HardCases(RenderCase):
         self.equal(self.files(), ["a.obj"])
 
 
-class Foreign(RenderCase):
-    """Models that no one here made: each loads, or fails with one line."""
-
-    def test_every_model(self):
-        models = sorted(OPTIONS.models.rglob("*.obj"))
-        self.true(len(models) >= 20, f"{len(models)} models")
-        loaded = []
-        for model in models:
-            done = self.run_tool("render", model, "--size", "48x27", "-o", "a.png", "--json", "a.json")
-            self.true(done.returncode in (0, 2), f"{model}: {done.returncode} {done.stderr}")
-            if done.returncode == 2:
-                self.matches(done.stderr.splitlines()[-1], r"\Aglint: .*\.obj:")
-                self.true(all("warning:" in line for line in done.stderr.splitlines()[:-1]), done.stderr)
-                self.equal(done.stdout, "")
-            else:
-                self.equal(self.picture("a.png")[:2], (48, 27))
-                self.true(self.json("a.json")["fragments"] > 0, f"{model} is seen")
-                loaded.append(model.stem)
-        self.true({"spider", "WusonOBJ", "box", "regr01", "concave_polygon"} <= set(loaded), f"{loaded}")
-        self.true(len(loaded) >= 15, f"{loaded}")
-
-    def test_spider(self):
-        done = self.render(OPTIONS.models / "OBJ" / "spider.obj", "--size", "48x27", "-o", "a.png", "--json", "a.json")
-        self.equal(done.stderr.count("textures are not rendered"), done.stderr.count("\n") - 1)
-        plan = self.json("a.json")["plan"]
-        self.equal([unit["effect"] for unit in plan["units"]], ["ambient", "lambert", "tint"])
-
-
 class Refusals(RenderCase):
     def test_arguments(self):
         figure = SCENES / "figure.json"
@@ -477,20 +449,21 @@ class Refusals(RenderCase):
         self.equal(self.files(), ["a.json", "a.obj"])
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+def main(module, description):
+    """Runs the tests of a module, those that the command line names or all."""
+    parser = argparse.ArgumentParser(description=description, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--glint", type=os.path.abspath, required=True)
     parser.add_argument("--rtl", action="store_true")
     parser.add_argument("--models", type=Path, default=Path("/usr/share/assimp/models"))
     parser.add_argument("tests", nargs="*", help="classes, or Class.test_name; none: all")
     parser.parse_args(namespace=OPTIONS)
     loader = unittest.TestLoader()
-    here = sys.modules[__name__]
-    suite = loader.loadTestsFromNames(OPTIONS.tests, here) if OPTIONS.tests else loader.loadTestsFromModule(here)
+    names = OPTIONS.tests
+    suite = loader.loadTestsFromNames(names, module) if names else loader.loadTestsFromModule(module)
     result = unittest.TextTestRunner(stream=sys.stdout).run(suite)
     print(f"{Case.count} checks in {result.testsRun} tests, {len(result.failures) + len(result.errors)} tests failed")
     return 0 if result.wasSuccessful() and Case.count > 0 else 1
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(main(sys.modules[__name__], __doc__))

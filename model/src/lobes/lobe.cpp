@@ -434,6 +434,10 @@ extern "C" {6} {0}({7}) {{
 }
 
 int in_range(std::string_view lobe, std::string_view what, int value, int low, int high) {
+    if (low > high) {
+        throw Error(fmt::format("{} = {} is not legal for {}: no value is with this {}, of {} or more and {} or less",
+                                what, value, lobe, what == "O" ? "F" : "F and O", low, high));
+    }
     if (value < low || value > high) {
         throw Error(fmt::format("{} = {} is not legal for {}: {} to {}", what, value, lobe, low, high));
     }
