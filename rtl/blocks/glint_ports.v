@@ -9,7 +9,7 @@
 
 module glint_ports #(
     parameter F                 = 18,  // fraction bits of the cosine
-    parameter LATENCY           = 2,   // clocks from an input to its result without a divider, a product taking one; at least 2
+    parameter LATENCY           = 2,   // clocks from an input to its result without a divider, a product taking one; at least 3
     parameter PRODUCTS          = 0,   // products of glint_multiplier on the way, outside a divider
     parameter QUOTIENT_W        = 0,   // Q_W of the divider; 0: there is none
     parameter DIVIDER           = 0,
@@ -38,7 +38,7 @@ module glint_ports #(
 
 `ifndef SYNTHESIS
     initial begin
-        if (LATENCY < 2) begin  // the default of a lobe's module: nobody has added up its blocks
+        if (LATENCY < 3) begin  // the default: nobody has added up the blocks of the lobe
             $display("glint_ports: parameter LATENCY not set; use a wrapper from `glint emit`");
             $finish;
         end

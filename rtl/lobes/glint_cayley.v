@@ -13,7 +13,7 @@ module glint_cayley #(
     parameter DIVIDER           = 0,  // 0 restoring, 1 radix4, 2 iterative, 3 reciprocal
     parameter REGISTER_EVERY    = 1,  // rows of the divider in a clock
     parameter MULTIPLIER_STAGES = 1,  // clocks of a product
-    parameter LATENCY           = 0,  // clocks without those of the divider, and products: what the blocks on the way
+    parameter LATENCY           = 2,  // clocks without those of the divider, and products: what the blocks on the way
     parameter PRODUCTS          = 0,  // add up to, from `glint emit`
     parameter TAG_W = 16   // width of the tag, at least 1
 ) (

@@ -11,7 +11,7 @@ module glint_cubic #(
     parameter K     = 18,  // fraction bits of the coefficients; O <= K
     parameter O     = 12,  // fraction bits of the output
     parameter MULTIPLIER_STAGES = 1,  // clocks of a product
-    parameter LATENCY           = 0,  // clocks without those of the divider, and products: what the blocks on the way
+    parameter LATENCY           = 2,  // clocks without those of the divider, and products: what the blocks on the way
     parameter PRODUCTS          = 0,  // add up to, from `glint emit`
     parameter TAG_W = 16   // width of the tag, at least 1
 ) (

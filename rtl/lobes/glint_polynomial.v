@@ -18,7 +18,7 @@ module glint_polynomial #(
     parameter DIVIDER           = 0,  // 0 restoring, 1 radix4, 2 iterative, 3 reciprocal
     parameter REGISTER_EVERY    = 1,  // rows of the divider in a clock
     parameter MULTIPLIER_STAGES = 1,  // clocks of a product
-    parameter LATENCY           = 0,  // clocks without those of the divider, and products: what the blocks on the way
+    parameter LATENCY           = 2,  // clocks without those of the divider, and products: what the blocks on the way
     parameter PRODUCTS          = 0,  // add up to, from `glint emit`
     // The coefficients at K fraction bits, signed, K + I + 1 bits each, that of the power i in field i.
     parameter [(DEGREE+1)*(K+I+1)-1:0] COEFFICIENTS = 0

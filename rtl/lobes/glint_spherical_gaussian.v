@@ -14,7 +14,7 @@ module glint_spherical_gaussian #(
     parameter A     = 0,   // a = log2 e at K bits: 1.44
     parameter B     = 0,   // b = 0.775 log2 e at K bits: 1.12
     parameter MULTIPLIER_STAGES = 1,  // clocks of a product
-    parameter LATENCY           = 0,  // clocks without those of the divider, and products: what the blocks on the way
+    parameter LATENCY           = 2,  // clocks without those of the divider, and products: what the blocks on the way
     parameter PRODUCTS          = 0,  // add up to, from `glint emit`
     parameter TAG_W = 16   // width of the tag, at least 1
 ) (
