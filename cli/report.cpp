@@ -109,8 +109,8 @@ int run_report(const Options& options, const std::string& command) {
 
 void add_report(CLI::App& app, Chosen& chosen) {
     auto options = std::make_shared<Options>();
-    CLI::App* command = app.add_subcommand(
-        "report", "A page with measured results, the papers' claims checked, and which unit to take");
+    CLI::App* command =
+        app.add_subcommand("report", "The page of measured results: which unit to take, errors, proofs, papers");
     command->add_option("--results", options->results, "JSON files of glint-cosim or glint sweep")->required();
     command->add_option("--proofs", options->proofs,
                         "JSON file of proofs/gappa/run.py, for the table of proven bounds");
