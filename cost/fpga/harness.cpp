@@ -159,11 +159,11 @@ module glint_clocks;
         end else if (valid) begin
             $display("result %0d{7}", clocks{8});
             received <= received + 1;
-            if (received == COUNT - 1) $finish;
+            if (received == COUNT - 1) $finish(0);
         end
         if (idle == 10000) begin
             $display("no result");
-            $finish;
+            $finish(0);
         end
     end
 endmodule

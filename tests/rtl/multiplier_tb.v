@@ -80,7 +80,7 @@ module multiplier_tb;
             b      = draw(B_W);
         end
         $display("%0d products, %0d mismatches", products, mismatches);
-        $finish;
+        $finish(0);
     end
 
 endmodule

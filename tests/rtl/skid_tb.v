@@ -136,7 +136,7 @@ module skid_tb;
                      empty, resets);
         end
         $display("%0d items, %0d mismatches", items, mismatches);
-        $finish;
+        $finish(0);
     end
 
 endmodule

@@ -5,6 +5,7 @@
 
 #include "glint/error.hpp"
 #include "glint/fixed_point.hpp"
+#include "glint/lanes.hpp"
 #include "glint/reference.hpp"
 #include "glint/vectors.hpp"
 #include "lobe_checks.hpp"
@@ -268,11 +269,15 @@ TEST_CASE("batch gives the bits of the scalar form") {
                 cos_code.push_back(
                     static_cast<std::int32_t>(any ? random.between(-2 * one, 2 * one - 1) : random.between(0, one)));
             }
-            std::vector<std::uint32_t> packed(length, 0xdeadbeef);
-            model->eval_port_batch(n, cos_code, packed);
-            for (std::size_t i = 0; i < length; ++i) {
-                if (packed[i] != pack(model->eval_port(n[i], cos_code[i])))
-                    FAIL("n " << n[i] << " code " << cos_code[i]);
+            for (const Lanes lanes : lanes_here()) {
+                CAPTURE(lanes_name(lanes));
+                use_lanes(lanes);
+                std::vector<std::uint32_t> packed(length, 0xdeadbeef);
+                model->eval_port_batch(n, cos_code, packed);
+                for (std::size_t i = 0; i < length; ++i) {
+                    if (packed[i] != pack(model->eval_port(n[i], cos_code[i])))
+                        FAIL("n " << n[i] << " code " << cos_code[i]);
+                }
             }
         }
         std::vector<std::uint16_t> two(2);
@@ -288,12 +293,15 @@ TEST_CASE("batch equals scalar at every legal input of p8") {
     std::vector<std::int32_t> codes;
     for (int C = 0; C <= one; ++C) codes.push_back(C);
     std::vector<std::uint32_t> packed(codes.size());
+    std::vector<std::uint32_t> scalar(codes.size());
     for (int n = 1; n <= max_n; ++n) {
         const std::vector<std::uint16_t> exponents(codes.size(), static_cast<std::uint16_t>(n));
-        model->eval_port_batch(exponents, codes, packed);
-        for (int C = 0; C <= one; ++C) {
-            if (packed[static_cast<std::size_t>(C)] != model->eval(n, C)) FAIL("n " << n << " C " << C);
+        for (int C = 0; C <= one; ++C) scalar[static_cast<std::size_t>(C)] = model->eval(n, C);
+        for (const Lanes lanes : lanes_here()) {
+            use_lanes(lanes);
+            model->eval_port_batch(exponents, codes, packed);
+            if (packed != scalar) FAIL("n " << n << ", lanes " << lanes_name(lanes));
         }
     }
-    SUCCEED();
+    CHECK_THROWS_AS(use_lanes(static_cast<Lanes>(99)), Error);
 }

@@ -1,11 +1,47 @@
-// How a function asks for the vector lanes of the machine that it runs on.
+// Loops over arrays, for the vector lanes of the machine that they run on.
 #pragma once
 
-// GLINT_LANES before a function that is one `#pragma omp simd` loop: on x86-64 Linux the compiler makes one clone for
-// the base instruction set, one for AVX2 and one for AVX-512, and the loader picks. Elsewhere (on AArch64 the base has
-// its lanes already; a sanitizer's runtime is not up yet when the loader picks) the plain function is all there is.
-#if defined(__x86_64__) && defined(__ELF__) && defined(__GNUC__) && !defined(GLINT_SANITIZERS)
-#define GLINT_LANES __attribute__((target_clones("default", "arch=haswell", "arch=skylake-avx512")))
-#else
-#define GLINT_LANES
+#include <span>
+#include <string_view>
+
+namespace glint {
+
+/// What such a loop is compiled for: what every x86-64 (or other) machine has, AVX2, AVX-512 (F, VL, DQ, BW). A machine
+/// is asked for its features, not for its model.
+enum class Lanes { base, avx2, avx512 };
+std::string_view lanes_name(Lanes lanes);
+
+/// Those of this machine, `base` first.
+std::span<const Lanes> lanes_here();
+
+/// Those that loops use: the last of lanes_here(), until use_lanes names another. The bits are the same with each.
+Lanes lanes();
+/// For tests and measurements; not while loops run. Throws Error when the machine has no such lanes.
+void use_lanes(Lanes lanes);
+
+#if defined(__x86_64__) && defined(__GNUC__)
+#define GLINT_X86_LANES
+namespace detail {
+// `flatten`: everything that the loop calls is compiled for these lanes, too.
+template <class Loop>
+__attribute__((noinline, flatten, target("avx2"))) void avx2(const Loop& loop) {
+    loop();
+}
+template <class Loop>
+__attribute__((noinline, flatten, target("avx512f,avx512vl,avx512dq,avx512bw"))) void avx512(const Loop& loop) {
+    loop();
+}
+}  // namespace detail
 #endif
+
+/// Runs loop(), a function object around one `#pragma omp simd` loop, compiled for lanes().
+template <class Loop>
+void with_lanes(const Loop& loop) {
+#ifdef GLINT_X86_LANES
+    if (lanes() == Lanes::avx512) return detail::avx512(loop);
+    if (lanes() == Lanes::avx2) return detail::avx2(loop);
+#endif
+    loop();
+}
+
+}  // namespace glint

@@ -72,8 +72,8 @@ struct BpsFormat {
     ///   never reaches k, so truncation is the floor.
     /// - rnd(x, k) is x 2^-k + 2^-(k+1) to the nearest integer, which has no ties left; and to add 1.5 2^52 to a number
     ///   below 2^51 in magnitude rounds it to the nearest integer, since doubles from 2^52 to 2^53 are the integers.
-    GLINT_LANES static void lanes(const BpsFormat& f, const std::uint16_t* n, const std::int32_t* cos_code,
-                                  std::uint32_t* packed, std::size_t count) {
+    static void lanes(const BpsFormat& f, const std::uint16_t* n, const std::int32_t* cos_code, std::uint32_t* packed,
+                      std::size_t count) {
         constexpr double shifter = 0x1.8p52;
         const std::int32_t one = std::int32_t{1} << f.F;
         const double two_S = std::ldexp(1.0, f.S);

@@ -52,7 +52,9 @@ private:
     void batch(std::span<const std::uint16_t> n, std::span<const std::int32_t> cos_code,
                std::span<std::uint32_t> packed) const override {
         if constexpr (requires { f_.has_lanes(); }) {
-            if (f_.has_lanes()) return Format::lanes(f_, n.data(), cos_code.data(), packed.data(), n.size());
+            if (f_.has_lanes()) {
+                return with_lanes([&] { Format::lanes(f_, n.data(), cos_code.data(), packed.data(), n.size()); });
+            }
         }
         const std::int32_t one = profile().one();
         for (std::size_t i = 0; i < n.size(); ++i) {

@@ -1,0 +1,121 @@
+#!/usr/bin/env python3
+"""The tables of figures in README, between marks, come from the JSON that holds the figures.
+
+    figures.py --glint GLINT            fails where a table is not current
+    figures.py --glint GLINT --write    writes them
+
+`<!-- lobes -->`: every lobe at p12, `<!-- profiles of bps -->`: what a sweep of all inputs finds, `<!-- prices -->`: the
+units that its rows name. The last column of the lobes and the first of the prices are kept: they are words.
+"""
+
+import argparse
+import json
+import re
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+README = ROOT / "README.md"
+MARKED = re.compile(r"(<!-- (lobes|profiles of bps|prices) -->\n)(.*?)(<!-- end -->\n)", re.DOTALL)
+
+
+def data(name):
+    return json.loads((ROOT / "cost/data" / name).read_text())["points"]
+
+
+def accuracy(lobe, profile):
+    return next(point for point in data("accuracy.json") if (point["lobe"], point["profile"]) == (lobe, profile))
+
+
+def error(point, first, last=1023):
+    return max(point["error_rounded_cosine"][first - 1:last]) * 2.0 ** -(point["O"] + 8)
+
+
+def latency(lobe, profile):
+    units = json.loads((ROOT / "rtl/units.json").read_text())["units"]
+    unit = next(unit for unit in units if unit["name"] == f"glint_{lobe}_{profile}")
+    return unit["architectures"][0]["latency"], unit
+
+
+def significant(x):
+    """Three digits, without an exponent."""
+    digits = 3
+    while float(f"{x:.{digits}f}") == 0 or len(f"{x:.{digits}f}".lstrip("0.")) < 3:
+        digits += 1
+    return f"{x:.{digits}f}"
+
+
+def rows_of(text):
+    return [[cell.strip() for cell in line.strip("|").split("|")] for line in text.splitlines()]
+
+
+def table(rows):
+    return "".join("| " + " | ".join(cells) + " |\n" if not set("".join(cells)) <= set("-:") else "|" + "|".join(cells) + "|\n" for cells in rows)
+
+
+def lobes(old):
+    notes = {re.search(r"`(\w+)`", row[0])[1]: row[-1] for row in rows_of(old)[2:]}
+    names = [point["lobe"] for point in data("accuracy.json") if point["profile"] == "p12"]
+    rows = []
+    for name in sorted(names, key=lambda name: error(accuracy(name, "p12"), 8)):
+        point = accuracy(name, "p12")
+        clocks, unit = latency(name, "p12")
+        divides = "yes" if any(parameter["name"] == "DIVIDER" for parameter in unit["parameters"]) else "no"
+        rows.append([f"[`{name}`](docs/lobes/{name}.md)", significant(error(point, 1)), significant(error(point, 8)),
+                     f"{point['rounding_ulp']:.4f}", divides, str(len(unit["tables"])), str(clocks), notes.get(name, "")])
+    return [["lobe", "error, all n", "error, n >= 8", "rounding, ulp", "divides", "tables", "latency", ""],
+            ["---", "--:", "--:", "--:", "---", "--:", "--:", "---"], *rows]
+
+
+def profiles(glint):
+    rows = []
+    for profile in ("p8", "p12", "p16"):
+        with tempfile.TemporaryDirectory() as folder:
+            file = Path(folder) / "sweep.json"
+            subprocess.run([glint, "sweep", "--lobe", "bps", "--profile", profile, "--json", file], check=True, stdout=subprocess.DEVNULL)
+            run = json.loads(file.read_text())["runs"][0]
+        found = run["accuracy"]["total"]
+        worst, epicentre = found["approximation"], found["epicentre"]
+        rows.append([f"`{profile}`", f"{run['inputs']:,}".replace(",", " "), f"{found['rounding']['max_ulp']:.4f}",
+                     f"{significant(worst['max'])}, n = {worst['n']}", significant(error(accuracy("bps", profile), 8)),
+                     f"{epicentre['max']:.1%}, n = {epicentre['n']}".replace("%", " %"), str(latency("bps", profile)[0])])
+    return [["profile", "legal inputs", "rounding, ulp", "error, at", "error, n >= 8", "epicentre, at", "latency"],
+            ["---", "--:", "--:", "--:", "--:", "--:", "--:"], *rows]
+
+
+def prices(old):
+    rows = []
+    for row in rows_of(old)[2:]:
+        lobe, profile, architecture, device = re.match(r"`(\w+)` ([\w,]+), ([\w:]+), ([\w-]+)", row[0]).groups()
+        point = next(point for point in data("fpga.json") if (point["lobe"], point["profile"], point["architecture"], point["device"]) ==
+                     (lobe, profile, architecture, device) and point["dsp"] == ("DSPs" in row[0]))
+        rows.append([row[0], significant(error(accuracy(lobe, profile), 8, 1000)), str(point["luts"]), str(point["dsps"]),
+                     f"{point['clock_mhz']:.0f}", f"{point['latency'] * 1000 / point['clock_mhz']:.0f}"])
+    return [["unit", "error", "LUTs", "DSPs", "MHz", "latency, ns"], ["---", "--:", "--:", "--:", "--:", "--:"], *rows]
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--glint", required=True)
+    parser.add_argument("--write", action="store_true")
+    options = parser.parse_args()
+    makers = {"lobes": lobes, "profiles of bps": lambda _: profiles(options.glint), "prices": prices}
+    text = README.read_text()
+    made = MARKED.sub(lambda m: m[1] + table(makers[m[2]](m[3])) + m[4], text)
+    found = [m[2] for m in MARKED.finditer(text)]
+    if options.write:
+        README.write_text(made)
+    if sorted(found) != sorted(makers):
+        print(f"FAILED: README has the tables {found}, and not {list(makers)}")
+        return 1
+    if made != text and not options.write:
+        print("FAILED: README's figures are not those of the JSON: tests/docs/figures.py --write")
+        return 1
+    print(f"{len(found)} tables are current")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
