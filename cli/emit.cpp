@@ -21,7 +21,7 @@ struct Options {
     std::string architecture;
     std::string target = "all";
     std::string folder = ".";
-    bool manifest = false;
+    bool committed = false;
 };
 
 std::string_view name(GeneratedFile::Target target) {
@@ -49,27 +49,34 @@ void write(const std::filesystem::path& path, const std::string& text) {
     fmt::print("{}\n", path.string());
 }
 
-/// The manifest of units and a list of the files of each: `lists` is their folder.
+/// The manifest of units and a list of the files of each, which is in the folder `generated` with their files.
 void write_units(const std::vector<HardwareUnit>& units, const std::filesystem::path& folder,
-                 const std::filesystem::path& lists, const FileRoots& in_manifest, const FileRoots& in_lists) {
+                 const std::filesystem::path& generated, const FileRoots& in_manifest, const FileRoots& in_lists) {
     write(folder / "units.json", manifest(units, in_manifest));
-    for (const HardwareUnit& unit : units) write(lists / (unit.name + ".f"), file_list(unit, in_lists));
+    for (const HardwareUnit& unit : units) write(generated / (unit.name + ".f"), file_list(unit, in_lists));
 }
 
 /// Each file once, though several units may be made of it.
-void write(const std::vector<GeneratedFile>& files, const Options& options) {
+void write(const std::vector<GeneratedFile>& all, const Options& options) {
     const std::filesystem::path folder = options.folder;
     io::make_folder(options.folder);
-    std::set<std::string> written;
-    std::vector<HardwareUnit> units;
-    for (const GeneratedFile& file : files) {
+    std::set<std::string> names;
+    std::vector<GeneratedFile> files;
+    for (const GeneratedFile& file : all) {
         if (options.target != "all" && options.target != name(file.target)) continue;
-        if (!written.insert(file.name).second) continue;
-        write(folder / file.name, file.text);
-        if (file.unit) units.push_back(*file.unit);
+        if (names.insert(file.name).second) files.push_back(file);
     }
-    if (units.empty()) return;
-    write_units(units, folder, folder, emitted_paths, emitted_list);
+    for (const GeneratedFile& file : files) write(folder / file.name, file.text);
+    const std::vector<HardwareUnit> units = units_of(files);
+    if (!units.empty()) write_units(units, folder, folder, emitted_paths, emitted_list);
+}
+
+/// All of rtl/ that is generated.
+void write_committed(const std::filesystem::path& rtl) {
+    const std::vector<GeneratedFile> files = committed_verilog();
+    io::make_folder((rtl / "generated").string());
+    for (const GeneratedFile& file : files) write(rtl / "generated" / file.name, file.text);
+    write_units(units_of(files), rtl, rtl / "generated", committed_paths, committed_list);
 }
 
 int run_emit(const Options& options) {
@@ -77,10 +84,8 @@ int run_emit(const Options& options) {
         options.target != "proof") {
         throw Error(fmt::format("target '{}' is not legal: verilog, hls, proof or all", options.target));
     }
-    if (options.manifest) {
-        const std::filesystem::path folder = options.folder;
-        io::make_folder((folder / "generated").string());
-        write_units(committed_units(), folder, folder / "generated", committed_paths, committed_list);
+    if (options.committed) {
+        write_committed(options.folder);
         return io::success;
     }
     // All before the first is written: a profile that is not legal leaves nothing behind.
@@ -126,8 +131,7 @@ void add_emit(CLI::App& app, Chosen& chosen) {
                         "How the Verilog is built: iterative, radix4:r2, ... (docs/rtl.md)");
     command->add_option("--target", options->target, "verilog, hls, proof or all")->capture_default_str();
     command->add_option("-o,--output", options->folder, "Folder")->capture_default_str();
-    command->add_flag("--manifest", options->manifest,
-                      "Only units.json and the lists of files of the units in rtl/ (docs/rtl.md)");
+    command->add_flag("--committed", options->committed, "Instead all that is generated in rtl/ (-o rtl): docs/rtl.md");
     command->footer("Example: glint emit --lobe bps --profile 18,14,14,12 -o out");
     command->callback([=, &chosen] { chosen.run = [=] { return run_emit(*options); }; });
 }

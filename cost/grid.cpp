@@ -46,9 +46,9 @@ Profile own_profile(const Lobe& lobe, int F, int O) {
 }
 
 Resources price(Flow& flow, const Lobe& lobe, const Profile& profile, const GridOptions& options) {
-    const GeneratedFile wrapper = lobe.emit(profile, default_architecture(lobe)).front();
-    const Unit unit = lobe_unit(std::filesystem::path(wrapper.name).stem(), profile, 1);
-    std::vector<Source> sources = with_dependencies(options.rtl, {{wrapper.name, wrapper.text}});
+    const std::vector<GeneratedFile> files = lobe.emit(profile, default_architecture(lobe));
+    const Unit unit = lobe_unit(files.front().unit->name, profile, 1);
+    std::vector<Source> sources = read_sources(options.rtl, design_of(files));
     sources.push_back({"glint_harness.v", harness(unit)});
     const Device& device = find_device(options.device);
     const Resources all = Flow::Netlist(flow, sources, device, false).resources();

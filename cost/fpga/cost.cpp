@@ -84,7 +84,7 @@ Point price(Flow& flow, const Request& request, const std::vector<Source>& sourc
     out.device = device.name;
     out.dsp = request.dsp;
     if (const GoldenModel* rival = request.what->rival.get()) {
-        const std::vector<Source>& files = request.what->files;
+        const std::vector<Source>& files = request.what->design.generated;
         out.error = flow.cached("error" + files.front().text + files.back().text, [&] { return table_error(*rival); });
     }
     const Clocks clocks = flow.count_clocks(sources, unit, request.what->burst);
@@ -141,7 +141,7 @@ void measure(const Options& options) {
     const PriceFile file = options.effect.empty() ? PriceFile::lobes : PriceFile::effects;
     if (!options.json.empty()) merged(options.json, file, tools, {});  // what can be refused is, before the work
     std::vector<std::vector<Source>> sources;
-    for (const Request& request : all) sources.push_back(with_dependencies(options.rtl, request.what->files));
+    for (const Request& request : all) sources.push_back(read_sources(options.rtl, request.what->design));
 
     std::vector<Point> points(all.size());
     parallel_tasks(all.size(), options.jobs, io::progress_bar("cost"),
@@ -159,7 +159,7 @@ bool is_current(const Point& point, const std::string& rtl) {
     options.profile = point.profile;
     options.architecture = point.architecture;
     const PricedUnit priced = priced_units(options).front();
-    std::vector<Source> sources = with_dependencies(rtl, priced.files);
+    std::vector<Source> sources = read_sources(rtl, priced.design);
     sources.push_back({"glint_harness.v", harness(priced.unit)});
     return price_hash(sources, find_device(point.device), point.dsp) == point.hash;
 }

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <regex>
-#include <set>
 #include <sstream>
 
 #include <fmt/format.h>
@@ -152,41 +151,31 @@ std::string to_text(const Exchange& exchange, const Unit& unit) {
 
 }  // namespace
 
-std::vector<Source> with_dependencies(const fs::path& rtl, const std::vector<Source>& unit) {
-    static const std::regex comment("//[^\n]*");
-    static const std::regex instance("(?:^|\n)\\s*(glint_\\w+)\\s*(?:#\\s*\\(|\\w+\\s*\\()");
-    static const std::regex definition("(?:^|\n)\\s*module\\s+(\\w+)");
-    std::map<std::string, std::string> found;  // by file name
-    std::set<std::string> defined;
-    std::vector<std::string> texts;
-    const auto take = [&](const std::string& text) {
-        texts.push_back(std::regex_replace(text, comment, ""));
-        const std::string& last = texts.back();
-        for (auto i = std::sregex_iterator(last.begin(), last.end(), definition); i != std::sregex_iterator(); ++i) {
-            defined.insert((*i)[1]);
+Design design_of(const std::vector<GeneratedFile>& files) {
+    Design out;
+    for (const HardwareUnit::File& file : files.front().unit->files) {
+        if (!file.generated) {
+            out.by_hand.push_back(file.name);
+            continue;
         }
-    };
-    for (const Source& source : unit) {
-        if (source.name.ends_with(".v")) take(source.text);
+        const auto made =
+            std::find_if(files.begin(), files.end(), [&](const GeneratedFile& f) { return f.name == file.name; });
+        out.generated.push_back({made->name, made->text});
     }
-    while (!texts.empty()) {
-        const std::string text = std::move(texts.back());
-        texts.pop_back();
-        for (auto i = std::sregex_iterator(text.begin(), text.end(), instance); i != std::sregex_iterator(); ++i) {
-            const std::string module = (*i)[1];
-            const std::string name = module + ".v";
-            if (defined.contains(module) || found.contains(name)) continue;
-            if (!fs::is_regular_file(rtl / name)) {
-                throw Error(fmt::format("folder '{}' has no {}: --rtl names the project's folder of Verilog",
-                                        rtl.string(), name));
-            }
-            found[name] = io::read_file(rtl / name);
-            take(found[name]);
-        }
-    }
+    return out;
+}
+
+std::vector<Source> read_sources(const fs::path& rtl, const Design& design) {
     std::vector<Source> out;
-    for (const auto& [name, text] : found) out.push_back({name, text});
-    out.insert(out.end(), unit.begin(), unit.end());
+    for (const std::string& name : design.by_hand) {
+        if (!fs::is_regular_file(rtl / name)) {
+            throw Error(
+                fmt::format("folder '{}' has no {}: --rtl names the project's folder of Verilog", rtl.string(), name));
+        }
+        out.push_back({fs::path(name).filename(), io::read_file(rtl / name)});
+    }
+    std::sort(out.begin(), out.end(), [](const Source& a, const Source& b) { return a.name < b.name; });
+    out.insert(out.end(), design.generated.begin(), design.generated.end());
     return out;
 }
 
@@ -197,8 +186,11 @@ std::string hash(std::string_view text) {
 }
 
 std::string price_hash(const std::vector<Source>& sources, const Device& device, bool dsp) {
-    const std::string script = yosys_script(sources, device, dsp);
-    return hash(fmt::format("{}{} {}", without_layout(joined(sources)), script, fmt::join(device.arguments, " ")));
+    std::vector<std::string> texts;
+    for (const Source& source : sources) texts.push_back(without_layout(source.text));
+    std::sort(texts.begin(), texts.end());
+    const std::string script = yosys_script({}, device, dsp);
+    return hash(fmt::format("{}{} {}", fmt::join(texts, " "), script, fmt::join(device.arguments, " ")));
 }
 
 Flow::Flow(fs::path cache) : cache_(fs::absolute(cache)) { io::make_folder(cache_); }

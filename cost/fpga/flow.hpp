@@ -15,6 +15,7 @@
 
 #include "cost/fpga/device.hpp"
 #include "cost/fpga/harness.hpp"
+#include "glint/emit.hpp"
 #include "io/process.hpp"
 
 namespace glint::fpga {
@@ -31,15 +32,23 @@ struct Source {
     std::string text;
 };
 
-/// The files of the folder `rtl` that those of `unit` instantiate, directly or through others, by name; then `unit`
-/// itself. Throws Error: a module of the project is neither there nor in `unit`.
-std::vector<Source> with_dependencies(const std::filesystem::path& rtl, const std::vector<Source>& unit);
+/// What a unit is made of.
+struct Design {
+    std::vector<std::string> by_hand;  ///< files of rtl/, by their paths there
+    std::vector<Source> generated;     ///< the unit's own is the last
+};
+
+/// Of the unit whose wrapper is the first of these files (`Lobe::emit`, `Effect::emit`), as its description says.
+Design design_of(const std::vector<GeneratedFile>& files);
+
+/// Its files, those by hand from the folder `rtl` and first. Throws Error: one is not there.
+std::vector<Source> read_sources(const std::filesystem::path& rtl, const Design& design);
 
 /// 64 bits (FNV-1a) in hexadecimal.
 std::string hash(std::string_view text);
 
-/// The hash of what decides a price, but for seeds and the versions of the tools: the sources of a design, apart from
-/// comments and layout, and what the tools are told to do with them.
+/// The hash of what decides a price, but for seeds and the versions of the tools: the texts of a design, apart from
+/// comments, layout, and the names and the order of files; and what the tools are told to do with them.
 std::string price_hash(const std::vector<Source>& sources, const Device& device, bool dsp);
 
 /// A router that takes and gives back the same wires for ever is stopped after so much processor time, many times what

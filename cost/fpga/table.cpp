@@ -105,7 +105,7 @@ std::unique_ptr<GoldenModel> table_model(const Profile& profile, const TableForm
     return std::make_unique<TableModel>(profile, format);
 }
 
-std::vector<Source> table_unit(const Profile& profile, const TableFormat& format) {
+Design table_unit(const Profile& profile, const TableFormat& format) {
     std::string memory;
     const std::vector<std::uint32_t> all = entries(format, profile);
     for (const std::uint32_t entry : all) memory += fmt::format("{:x}\n", entry);
@@ -180,7 +180,9 @@ endmodule
 )",
                     module, profile.F + 1, profile.O, profile.F, profile.O - 1, all.size() - 1, format.n_bits,
                     format.cos_bits, profile.O);
-    return {{module + ".hex", memory}, {module + ".v", text}};
+    Design out{{}, {{module + ".hex", memory}, {module + ".v", text}}};
+    for (const HardwareUnit::File& file : module_files("glint_ports")) out.by_hand.push_back(file.name);
+    return out;
 }
 
 nlohmann::ordered_json table_error(const GoldenModel& model) {

@@ -26,7 +26,7 @@ std::unique_ptr<GoldenModel> table_model(const Profile& profile, const TableForm
 
 /// The contents of the memory, a file that the module reads; then the module `glint_table_P`, a unit with the ports of
 /// every other (docs/rtl.md).
-std::vector<Source> table_unit(const Profile& profile, const TableFormat& format);
+Design table_unit(const Profile& profile, const TableFormat& format);
 
 /// {"max", "max_n8": the largest |y / 2^O - c^n| over all legal inputs, and over those with n >= 8; "inputs"}.
 nlohmann::ordered_json table_error(const GoldenModel& model);

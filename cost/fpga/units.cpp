@@ -20,7 +20,7 @@ namespace {
 constexpr int tag_w = 1;  // the least: each further bit is a register, or a part of one, a clock of latency
 constexpr std::string_view rival = "table";
 
-std::string module_of(const Source& source) { return std::filesystem::path(source.name).stem(); }
+std::string module_of(const Design& design) { return std::filesystem::path(design.generated.back().name).stem(); }
 
 // ---- lobes -------------------------------------------------------------------------------------------------------
 
@@ -86,16 +86,16 @@ std::vector<Exchange> lobe_burst(const GoldenModel& model) {
 }
 
 PricedUnit lobe_unit_of(const std::string& name, const GoldenModel& model, const Architecture& architecture,
-                        std::vector<Source> files) {
+                        Design design) {
     PricedUnit out;
     out.point.lobe = name;
     out.point.profile = model.profile().argument();
     out.point.architecture = architecture.name;
-    out.unit = lobe_unit(module_of(files.back()), model.profile(), tag_w);
+    out.unit = lobe_unit(module_of(design), model.profile(), tag_w);
     for (const auto& [parameter, value] : architecture.parameters) {
         out.unit.parameters += fmt::format(", .{}({})", parameter, value);
     }
-    out.files = std::move(files);
+    out.design = std::move(design);
     out.burst = lobe_burst(model);
     return out;
 }
@@ -111,10 +111,9 @@ std::vector<PricedUnit> lobes_of(const Options& options, const std::string& lobe
             const Profile profile = choice.profile(text);
             const std::unique_ptr<GoldenModel> model = lobe.golden(profile);
             for (const Architecture& architecture : architectures(lobe, options.architecture)) {
-                const GeneratedFile wrapper = lobe.emit(profile, architecture).front();
                 Architecture parameters = architecture;
                 if (architecture == default_architecture(lobe)) parameters.parameters.clear();  // the wrapper's own
-                out.push_back(lobe_unit_of(name, *model, parameters, {{wrapper.name, wrapper.text}}));
+                out.push_back(lobe_unit_of(name, *model, parameters, design_of(lobe.emit(profile, architecture))));
             }
         }
     }
@@ -129,8 +128,7 @@ std::vector<PricedUnit> tables(const Options& options) {
             throw Error(fmt::format("profile '{}' is not legal for {}: p8, p12 or p16", text, rival));
         const TableFormat format = TableFormat::best(profile);
         const std::shared_ptr<const GoldenModel> model = table_model(profile, format);
-        const std::vector<Source> files = table_unit(profile, format);
-        out.push_back(lobe_unit_of(std::string(rival), *model, {"pipelined", {}}, files));
+        out.push_back(lobe_unit_of(std::string(rival), *model, {"pipelined", {}}, table_unit(profile, format)));
         out.back().rival = model;
     }
     return out;
@@ -149,29 +147,6 @@ std::vector<int> masks(const std::string& text) {
         if (std::count(out.begin(), out.end(), out.back()) > 1) {
             throw Error(fmt::format("--mask '{}' is not legal: each mask once", text));
         }
-    }
-    return out;
-}
-
-/// The Verilog of an effect, after that of the units it is made of: a lobe's, and those of the terms of shade.
-std::vector<Source> effect_files(const Effect& effect, const Profile& profile, const LobeChoice& lobe,
-                                 const std::string& lobe_name) {
-    std::vector<GeneratedFile> files;
-    if (effect.takes_lobe) {
-        const Profile own = with_options(profile, lobe.options);
-        files.push_back(lobe.lobe->emit(own, default_architecture(*lobe.lobe)).front());
-    }
-    std::vector<std::string_view> names{effect.name};
-    if (effect.name == "shade") {
-        names = shade_effects();
-        names.push_back(effect.name);
-    }
-    for (const std::string_view name : names) {
-        files.push_back(find_effect(name).emit(profile, lobe_name).front());
-    }
-    std::vector<Source> out;
-    for (const GeneratedFile& file : files) {
-        if (file.target == GeneratedFile::Target::verilog) out.push_back({file.name, file.text});
     }
     return out;
 }
@@ -208,16 +183,16 @@ std::vector<Port> ports(std::span<const EffectPort> of_model, std::string_view s
     return out;
 }
 
-PricedUnit effect_unit(const Effect& effect, const EffectModel& model, const std::vector<Source>& files,
-                       const std::string& lobe, std::optional<int> mask) {
+PricedUnit effect_unit(const Effect& effect, const EffectModel& model, const Design& design, const std::string& lobe,
+                       std::optional<int> mask) {
     PricedUnit out;
     out.point.effect = effect.name;
     out.point.mask = mask;
     if (effect.takes_lobe) out.point.lobe = lobe;
     out.point.profile = model.profile().argument();
-    out.unit = stream_unit(module_of(files.back()), ports(model.inputs(), "i"), ports(model.outputs(), "o"), tag_w);
+    out.unit = stream_unit(module_of(design), ports(model.inputs(), "i"), ports(model.outputs(), "o"), tag_w);
     if (mask) out.unit.parameters += fmt::format(", .MASK({})", *mask);
-    out.files = files;
+    out.design = design;
     out.burst = effect_burst(effect, model, mask);
     return out;
 }
@@ -240,18 +215,17 @@ std::vector<PricedUnit> effects_of(const Options& options) {
         throw Error("--mask is not legal here: it is a parameter of the effect shade");
     }
     const std::vector<int> chosen = masks(options.mask);
-    const LobeChoice lobe = parse_lobe(options.lobe);
     std::vector<PricedUnit> out;
     for (const Effect* effect : effects) {
         for (const std::string& text : io::split_profiles(options.profile)) {
             const Profile profile = parse_profile(text);
             const std::unique_ptr<EffectModel> model = effect->golden(profile, options.lobe);
-            const std::vector<Source> files = effect_files(*effect, profile, lobe, options.lobe);
+            const Design design = design_of(effect->emit(profile, options.lobe));
             if (effect->name != "shade") {
-                out.push_back(effect_unit(*effect, *model, files, options.lobe, std::nullopt));
+                out.push_back(effect_unit(*effect, *model, design, options.lobe, std::nullopt));
                 continue;
             }
-            for (const int mask : chosen) out.push_back(effect_unit(*effect, *model, files, options.lobe, mask));
+            for (const int mask : chosen) out.push_back(effect_unit(*effect, *model, design, options.lobe, mask));
         }
     }
     return out;

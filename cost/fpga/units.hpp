@@ -14,9 +14,9 @@
 namespace glint::fpga {
 
 struct PricedUnit {
-    Point point;                ///< what it is called; its prices are not filled in
-    Unit unit;                  ///< as it is instantiated
-    std::vector<Source> files;  ///< its own; what they instantiate beside each other is in the folder of the Verilog
+    Point point;  ///< what it is called; its prices are not filled in
+    Unit unit;    ///< as it is instantiated
+    Design design;
     std::vector<Exchange> burst;
     std::shared_ptr<const GoldenModel> rival;  ///< of one: its error is measured when it is priced; null for the lobes
 };

@@ -1,4 +1,4 @@
-// glint_sqrt: the integer square root for HLS kernels. Contract and steps are those of rtl/glint_sqrt.v.
+// glint_sqrt: the integer square root for HLS kernels. Contract and steps are those of rtl/blocks/glint_sqrt.v.
 #ifndef GLINT_SQRT_HPP
 #define GLINT_SQRT_HPP
 

@@ -36,13 +36,13 @@ const std::vector<Module>& modules() {
         {"glint_dot"},
         {"glint_colour"},
         {"glint_ratio", {"glint_delay", "glint_multiplier", "glint_divider"}},
-        {"glint_ratio_symmetric", {"glint_delay", "glint_multiplier", "glint_divider"}},
         {"glint_horner", {"glint_delay", "glint_multiplier"}},
         {"glint_square", {"glint_multiplier"}},
         {"glint_power", {"glint_delay", "glint_multiplier", "glint_square"}},
         {"glint_parabola", {"glint_delay", "glint_multiplier"}},
         {"glint_log2", {"glint_delay", "glint_parabola"}},
         {"glint_exp2", {"glint_delay", "glint_parabola"}},
+        {"glint_microfacets", {"glint_dot"}},
         {"glint_attenuation", {"glint_log2"}},
         {"glint_scaled_power", {"glint_delay", "glint_parabola"}},
         {"glint_effect_ambient", {"glint_colour", "glint_stream"}},
@@ -64,7 +64,10 @@ void add(std::vector<HardwareUnit::File>& files, std::string_view module, const 
     if (known != modules().end()) std::for_each(known->contains.begin(), known->contains.end(), add_part);
     for (const Block& block : hardware.way) add_part(block.module);
     std::for_each(hardware.beside.begin(), hardware.beside.end(), add_part);
-    add_files(files, {{fmt::format("{}.v", module)}});
+    const std::string_view folder = module.starts_with("glint_effect_") ? "effects"
+                                    : known != modules().end()          ? "blocks"
+                                                                        : "lobes";
+    add_files(files, {{fmt::format("{}/{}.v", folder, module)}});
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iterator>
 #include <map>
+#include <set>
 
 #include <fmt/format.h>
 
@@ -128,19 +129,31 @@ std::string file_list(const HardwareUnit& unit, const FileRoots& roots) {
     return out;
 }
 
-std::vector<HardwareUnit> committed_units() {
-    std::vector<HardwareUnit> out;
-    for (const Lobe& lobe : lobes()) {
-        for (const Profile& profile : shipped_profiles()) {
-            for (GeneratedFile& file : lobe.emit(profile, default_architecture(lobe))) {
-                if (file.unit) out.push_back(std::move(*file.unit));
-            }
+std::vector<HardwareUnit::File> module_files(std::string_view module) { return files_of(module); }
+
+std::vector<GeneratedFile> committed_verilog() {
+    std::vector<GeneratedFile> out;
+    std::set<std::string> names;
+    const auto add = [&](std::vector<GeneratedFile> files) {
+        for (GeneratedFile& file : files) {
+            if (file.target != GeneratedFile::Target::verilog) continue;
+            if (file.unit && file.unit->kind == "lobe_axis" && file.unit->profile != "p12") continue;
+            if (names.insert(file.name).second) out.push_back(std::move(file));
         }
+    };
+    for (const Lobe& lobe : lobes()) {
+        for (const Profile& profile : shipped_profiles()) add(lobe.emit(profile, default_architecture(lobe)));
     }
     for (const Effect& effect : effects()) {
-        for (const Profile& profile : shipped_profiles()) {
-            out.push_back(std::move(*effect.emit(profile, lobes().front().name).front().unit));
-        }
+        for (const Profile& profile : shipped_profiles()) add(effect.emit(profile, lobes().front().name));
+    }
+    return out;
+}
+
+std::vector<HardwareUnit> units_of(const std::vector<GeneratedFile>& files) {
+    std::vector<HardwareUnit> out;
+    for (const GeneratedFile& file : files) {
+        if (file.unit) out.push_back(*file.unit);
     }
     return out;
 }

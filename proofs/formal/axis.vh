@@ -1,5 +1,5 @@
 // Included at the end of a copy of a generated AXI4-Stream wrapper (glint_bps_axis_p12, ...), which connects glint_axis,
-// named axis, to a unit, named core. In the copy F, O, the other word lengths and the unit's LATENCY are parameters.
+// named axis, to a unit, named core. In the copy F, O, the other word lengths and CORE_CLOCKS, the unit's latency, are parameters.
 
 localparam TAG_W     = USER_W + 1;
 localparam OPERAND_W = F + 2 + 10;
@@ -17,10 +17,10 @@ localparam OUT_W     = TAG_W + 1 + O + 1;
 (* hierconn *) wire             [OUT_W-1:0] \axis.skid_out.data_q ;
 (* hierconn *) wire             [OUT_W-1:0] \axis.skid_out.spare_q ;
 (* hierconn *) wire                         \core.ports.advance ;
-(* hierconn *) wire           [LATENCY-1:0] \core.ports.valid_q ;
-(* hierconn *) wire         [6*LATENCY-1:0] \core.ports.after_q ;
+(* hierconn *) wire           [CORE_CLOCKS-1:0] \core.ports.valid_q ;
+(* hierconn *) wire         [6*CORE_CLOCKS-1:0] \core.ports.after_q ;
 (* hierconn *) wire                   [5:0] \core.ports.inside ;
-(* hierconn *) wire [(TAG_W+1)*LATENCY-1:0] \core.ports.all.delay_tag.contents ;
+(* hierconn *) wire [(TAG_W+1)*CORE_CLOCKS-1:0] \core.ports.all.delay_tag.contents ;
 
 wire             watch_now, watching;
 wire [TAG_W-1:0] item;
@@ -29,9 +29,9 @@ wire       [7:0] in_flight, ahead, patience, drought, ready_run;
 glint_scoreboard #(
     .WIDTH     (TAG_W),
     .RESULT_W  (32),
-    .CAPACITY  (LATENCY + 4),
-    .PATIENCE  (LATENCY + 4),
-    .DROUGHT   (LATENCY + 2),
+    .CAPACITY  (CORE_CLOCKS + 4),
+    .PATIENCE  (CORE_CLOCKS + 4),
+    .DROUGHT   (CORE_CLOCKS + 2),
     .RATE      (2),
     .REGISTERED(1)
 ) scoreboard (
@@ -63,11 +63,11 @@ wire       at_in      = watching && ahead >= count_out + count_core;
 wire       at_core    = watching && !at_out && !at_in;
 wire       second     = at_out ? ahead == 1 : ahead == count_out + count_core + 1;  // in the spare register
 
-reg    [LATENCY-1:0] mark_q;  // the slot of the core that holds the watched item
+reg    [CORE_CLOCKS-1:0] mark_q;  // the slot of the core that holds the watched item
 reg  [OPERAND_W-1:0] operands;  // what came in with it: cos, n
 reg          [O+1:0] result;    // what the core answered to it: clamped, y
 wire                 enters = at_in && !second && in_valid && in_ready;
-wire                 leaves = mark_q[LATENCY-1] && out_valid && out_ready;
+wire                 leaves = mark_q[CORE_CLOCKS-1] && out_valid && out_ready;
 always @(posedge aclk) begin
     if (!aresetn) mark_q <= 0;
     else if (\core.ports.advance ) mark_q <= {mark_q, enters};
@@ -75,13 +75,13 @@ always @(posedge aclk) begin
     if (leaves) result <= {clamped, y};
 end
 
-wire [LATENCY-1:0] mark_ok, drought_ok;
+wire [CORE_CLOCKS-1:0] mark_ok, drought_ok;
 genvar slot;
 generate
-    for (slot = 0; slot < LATENCY; slot = slot + 1) begin : marks
+    for (slot = 0; slot < CORE_CLOCKS; slot = slot + 1) begin : marks
         assign mark_ok[slot] = !mark_q[slot] || (\core.ports.valid_q [slot]
             && ahead == count_out + \core.ports.after_q [6*slot+:6]
-            && patience + LATENCY - slot + \axis.skid_out.spare_full_q <= LATENCY + 3
+            && patience + CORE_CLOCKS - slot + \axis.skid_out.spare_full_q <= CORE_CLOCKS + 3
             && item == \core.ports.all.delay_tag.contents [slot*(TAG_W+1)+:TAG_W]);
         assign drought_ok[slot] = \core.ports.valid_q [slot] && drought <= slot + 1;
     end
@@ -112,9 +112,9 @@ always @* begin
         if (watching) inv_inside: assert (ahead < in_flight);
         inv_mark: assert (at_core == |mark_q && (mark_q & (mark_q - 1)) == 0 && &mark_ok);
         if (at_in) inv_in: assert ((second ? \axis.skid_in.spare_q : \axis.skid_in.data_q ) == {item, operands}
-            && patience + LATENCY + 1 + second + \axis.skid_out.spare_full_q <= LATENCY + 3);
+            && patience + CORE_CLOCKS + 1 + second + \axis.skid_out.spare_full_q <= CORE_CLOCKS + 3);
         if (at_out) inv_out: assert ((second ? \axis.skid_out.spare_q : \axis.skid_out.data_q ) == {item, result}
-            && patience + second <= LATENCY + 3);
+            && patience + second <= CORE_CLOCKS + 3);
     end
 
     cover_operands: cover (enters && second == 0 && operands != 0);

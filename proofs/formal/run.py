@@ -320,7 +320,7 @@ def wrapper_at_any_size(module, names):
     unit = UNITS[module]
     text, core = unit["files"][-1].read_text(), unit["core"]["module"]
     F, O = unit["F"], unit["O"]
-    declared = "".join(f", {name} = 0" for name in ["LATENCY", *names])
+    declared = "".join(f", {name} = 0" for name in ["CORE_CLOCKS", *names])
     passed = "".join(f".{name}({name}), " for name in names)
     for old, new in (("parameter USER_W = 16", f"parameter USER_W = 16{declared}"), (f".F     ({F})", ".F     (F)"),
                      (f".O     ({O})", ".O     (O)"), (f"[{F + 1}:0] cosine;", "[F+1:0] cosine;"),
@@ -395,7 +395,7 @@ def prepare(task, folder):
         text = text[:end] + (properties.read_text() if properties.exists() else "") + text[end:]
         (folder / f"{name}.v").write_text(text)
     if task.kind == "axis":
-        parameters["LATENCY"] = latency(unit, numbers, folder)
+        parameters["CORE_CLOCKS"] = latency(unit, numbers, folder)
     for name in ("glint_scoreboard.v", "pipeline.vh", "glint_ports.vh"):
         shutil.copy(HERE / name, folder)
     defines = " ".join(f"-D {name}" for name in ("SYNTHESIS", f"PROVE_{task.kind.upper()}") + task.defines)

@@ -28,12 +28,14 @@ module glint_blinn_phong_p12 #(
     wire [44:0] exp2_entry;
 
     glint_blinn_phong #(
-        .F(18),
-        .T(5),
-        .L(25),
-        .E(3),
-        .S(16),
-        .O(12),
+        .F       (18),
+        .T       (5),
+        .L       (25),
+        .E       (3),
+        .S       (16),
+        .O       (12),
+        .LATENCY (18),
+        .PRODUCTS(5),
         .MULTIPLIER_STAGES(MULTIPLIER_STAGES),
         .TAG_W(TAG_W)
     ) core (
@@ -56,14 +58,14 @@ module glint_blinn_phong_p12 #(
         .exp2_entry_i(exp2_entry)
     );
 
-    glint_blinn_phong_p12_log2 log2 (
+    glint_table_log2_32_25 log2 (
         .clk_i    (clk_i),
         .enable_i (table_enable),
         .address_i(log2_address),
         .entry_o  (log2_entry)
     );
 
-    glint_blinn_phong_p12_exp2 exp2 (
+    glint_table_exp2_8_17 exp2 (
         .clk_i    (clk_i),
         .enable_i (table_enable),
         .address_i(exp2_address),
@@ -71,83 +73,5 @@ module glint_blinn_phong_p12 #(
     );
 
 endmodule
-
-// glint_blinn_phong_p12_log2: a read-only memory; the entry comes one enabled clock after its address.
-/* verilator lint_off DECLFILENAME */  // it has no file of its own
-module glint_blinn_phong_p12_log2 (
-    input  wire        clk_i,
-    input  wire        enable_i,
-    input  wire [4:0] address_i,
-    output reg  [62:0] entry_o
-);
-
-    always @(posedge clk_i) begin
-        if (enable_i) begin
-            case (address_i)
-                5'd0: entry_o <= {25'd0, 22'd1512537, 16'd42618};
-                5'd1: entry_o <= {25'd1489619, 22'd1466717, 16'd43966};
-                5'd2: entry_o <= {25'd2934766, 22'd1423590, 16'd45198};
-                5'd3: entry_o <= {25'd4338018, 22'd1382927, 16'd46328};
-                5'd4: entry_o <= {25'd5701737, 22'd1344522, 16'd47366};
-                5'd5: entry_o <= {25'd7028089, 22'd1308192, 16'd48322};
-                5'd6: entry_o <= {25'd8319067, 22'd1273773, 16'd49205};
-                5'd7: entry_o <= {25'd9576509, 22'd1241119, 16'd50022};
-                5'd8: entry_o <= {25'd10802114, 22'd1210098, 16'd50778};
-                5'd9: entry_o <= {25'd11997454, 22'd1180589, 16'd51481};
-                5'd10: entry_o <= {25'd13163988, 22'd1152485, 16'd52135};
-                5'd11: entry_o <= {25'd14303072, 22'd1125687, 16'd52744};
-                5'd12: entry_o <= {25'd15415967, 22'd1100108, 16'd53312};
-                5'd13: entry_o <= {25'd16503851, 22'd1075665, 16'd53844};
-                5'd14: entry_o <= {25'd17567824, 22'd1052285, 16'd54341};
-                5'd15: entry_o <= {25'd18608914, 22'd1029898, 16'd54808};
-                5'd16: entry_o <= {25'd19628084, 22'd1008446, 16'd55246};
-                5'd17: entry_o <= {25'd20626240, 22'd987868, 16'd55657};
-                5'd18: entry_o <= {25'd21604229, 22'd968112, 16'd56045};
-                5'd19: entry_o <= {25'd22562850, 22'd949133, 16'd56410};
-                5'd20: entry_o <= {25'd23502857, 22'd930882, 16'd56754};
-                5'd21: entry_o <= {25'd24424957, 22'd913321, 16'd57079};
-                5'd22: entry_o <= {25'd25329821, 22'd896409, 16'd57387};
-                5'd23: entry_o <= {25'd26218081, 22'd880113, 16'd57678};
-                5'd24: entry_o <= {25'd27090336, 22'd864398, 16'd57953};
-                5'd25: entry_o <= {25'd27947151, 22'd849235, 16'd58215};
-                5'd26: entry_o <= {25'd28789065, 22'd834594, 16'd58463};
-                5'd27: entry_o <= {25'd29616586, 22'd820450, 16'd58699};
-                5'd28: entry_o <= {25'd30430199, 22'd806777, 16'd58923};
-                5'd29: entry_o <= {25'd31230363, 22'd793552, 16'd59136};
-                5'd30: entry_o <= {25'd32017515, 22'd780755, 16'd59339};
-                5'd31: entry_o <= {25'd32792073, 22'd768362, 16'd59533};
-            endcase
-        end
-    end
-
-endmodule
-/* verilator lint_on DECLFILENAME */
-
-// glint_blinn_phong_p12_exp2: a read-only memory; the entry comes one enabled clock after its address.
-/* verilator lint_off DECLFILENAME */  // it has no file of its own
-module glint_blinn_phong_p12_exp2 (
-    input  wire        clk_i,
-    input  wire        enable_i,
-    input  wire [2:0] address_i,
-    output reg  [44:0] entry_o
-);
-
-    always @(posedge clk_i) begin
-        if (enable_i) begin
-            case (address_i)
-                3'd0: entry_o <= {17'd65536, 16'd42838, 12'd942};
-                3'd1: entry_o <= {17'd60097, 16'd44720, 12'd864};
-                3'd2: entry_o <= {17'd55109, 16'd46448, 12'd792};
-                3'd3: entry_o <= {17'd50535, 16'd48033, 12'd727};
-                3'd4: entry_o <= {17'd46341, 16'd49486, 12'd666};
-                3'd5: entry_o <= {17'd42495, 16'd50817, 12'd611};
-                3'd6: entry_o <= {17'd38968, 16'd52040, 12'd560};
-                3'd7: entry_o <= {17'd35734, 16'd53158, 12'd514};
-            endcase
-        end
-    end
-
-endmodule
-/* verilator lint_on DECLFILENAME */
 
 `default_nettype wire

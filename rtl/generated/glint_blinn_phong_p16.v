@@ -28,12 +28,14 @@ module glint_blinn_phong_p16 #(
     wire [53:0] exp2_entry;
 
     glint_blinn_phong #(
-        .F(20),
-        .T(6),
-        .L(29),
-        .E(4),
-        .S(20),
-        .O(16),
+        .F       (20),
+        .T       (6),
+        .L       (29),
+        .E       (4),
+        .S       (20),
+        .O       (16),
+        .LATENCY (18),
+        .PRODUCTS(5),
         .MULTIPLIER_STAGES(MULTIPLIER_STAGES),
         .TAG_W(TAG_W)
     ) core (
@@ -56,14 +58,14 @@ module glint_blinn_phong_p16 #(
         .exp2_entry_i(exp2_entry)
     );
 
-    glint_blinn_phong_p16_log2 log2 (
+    glint_table_log2_64_29 log2 (
         .clk_i    (clk_i),
         .enable_i (table_enable),
         .address_i(log2_address),
         .entry_o  (log2_entry)
     );
 
-    glint_blinn_phong_p16_exp2 exp2 (
+    glint_table_exp2_16_21 exp2 (
         .clk_i    (clk_i),
         .enable_i (table_enable),
         .address_i(exp2_address),
@@ -71,123 +73,5 @@ module glint_blinn_phong_p16 #(
     );
 
 endmodule
-
-// glint_blinn_phong_p16_log2: a read-only memory; the entry comes one enabled clock after its address.
-/* verilator lint_off DECLFILENAME */  // it has no file of its own
-module glint_blinn_phong_p16_log2 (
-    input  wire        clk_i,
-    input  wire        enable_i,
-    input  wire [5:0] address_i,
-    output reg  [71:0] entry_o
-);
-
-    always @(posedge clk_i) begin
-        if (enable_i) begin
-            case (address_i)
-                6'd0: entry_o <= {29'd0, 25'd12101719, 18'd169053};
-                6'd1: entry_o <= {29'd12008628, 25'd11915553, 18'd171874};
-                6'd2: entry_o <= {29'd23833911, 25'd11735029, 18'd174568};
-                6'd3: entry_o <= {29'd35481364, 25'd11559891, 18'd177144};
-                6'd4: entry_o <= {29'd46956255, 25'd11389905, 18'd179608};
-                6'd5: entry_o <= {29'd58263624, 25'd11224845, 18'd181966};
-                6'd6: entry_o <= {29'd69408291, 25'd11064502, 18'd184224};
-                6'd7: entry_o <= {29'd80394873, 25'd10908672, 18'd186389};
-                6'd8: entry_o <= {29'd91227790, 25'd10757174, 18'd188464};
-                6'd9: entry_o <= {29'd101911284, 25'd10609824, 18'd190455};
-                6'd10: entry_o <= {29'd112449419, 25'd10466457, 18'd192367};
-                6'd11: entry_o <= {29'd122846099, 25'd10326912, 18'd194203};
-                6'd12: entry_o <= {29'd133105070, 25'd10191039, 18'd195968};
-                6'd13: entry_o <= {29'd143229933, 25'd10058696, 18'd197665};
-                6'd14: entry_o <= {29'd153224150, 25'd9929744, 18'd199297};
-                6'd15: entry_o <= {29'd163091047, 25'd9804059, 18'd200868};
-                6'd16: entry_o <= {29'd172833830, 25'd9681514, 18'd202381};
-                6'd17: entry_o <= {29'd182455581, 25'd9561995, 18'd203839};
-                6'd18: entry_o <= {29'd191959271, 25'd9445391, 18'd205244};
-                6'd19: entry_o <= {29'd201347762, 25'd9331597, 18'd206598};
-                6'd20: entry_o <= {29'd210623813, 25'd9220511, 18'd207905};
-                6'd21: entry_o <= {29'd219790085, 25'd9112040, 18'd209167};
-                6'd22: entry_o <= {29'd228849148, 25'd9006090, 18'd210385};
-                6'd23: entry_o <= {29'd237803479, 25'd8902576, 18'd211561};
-                6'd24: entry_o <= {29'd246655472, 25'd8801415, 18'd212698};
-                6'd25: entry_o <= {29'd255407441, 25'd8702527, 18'd213796};
-                6'd26: entry_o <= {29'd264061620, 25'd8605837, 18'd214859};
-                6'd27: entry_o <= {29'd272620172, 25'd8511270, 18'd215887};
-                6'd28: entry_o <= {29'd281085185, 25'd8418760, 18'd216882};
-                6'd29: entry_o <= {29'd289458683, 25'd8328239, 18'd217845};
-                6'd30: entry_o <= {29'd297742623, 25'd8239644, 18'd218777};
-                6'd31: entry_o <= {29'd305938900, 25'd8152914, 18'd219681};
-                6'd32: entry_o <= {29'd314049351, 25'd8067992, 18'd220556};
-                6'd33: entry_o <= {29'd322075755, 25'd7984819, 18'd221405};
-                6'd34: entry_o <= {29'd330019835, 25'd7903344, 18'd222228};
-                6'd35: entry_o <= {29'd337883263, 25'd7823515, 18'd223026};
-                6'd36: entry_o <= {29'd345667660, 25'd7745282, 18'd223801};
-                6'd37: entry_o <= {29'd353374599, 25'd7668599, 18'd224553};
-                6'd38: entry_o <= {29'd361005607, 25'd7593418, 18'd225283};
-                6'd39: entry_o <= {29'd368562164, 25'd7519699, 18'd225991};
-                6'd40: entry_o <= {29'd376045710, 25'd7447396, 18'd226680};
-                6'd41: entry_o <= {29'd383457642, 25'd7376471, 18'd227349};
-                6'd42: entry_o <= {29'd390799318, 25'd7306883, 18'd228000};
-                6'd43: entry_o <= {29'd398072057, 25'd7238597, 18'd228632};
-                6'd44: entry_o <= {29'd405277142, 25'd7171574, 18'd229247};
-                6'd45: entry_o <= {29'd412415819, 25'd7105782, 18'd229845};
-                6'd46: entry_o <= {29'd419489302, 25'd7041186, 18'd230427};
-                6'd47: entry_o <= {29'd426498771, 25'd6977753, 18'd230993};
-                6'd48: entry_o <= {29'd433445373, 25'd6915454, 18'd231545};
-                6'd49: entry_o <= {29'd440330228, 25'd6854257, 18'd232081};
-                6'd50: entry_o <= {29'd447154422, 25'd6794133, 18'd232604};
-                6'd51: entry_o <= {29'd453919015, 25'd6735055, 18'd233113};
-                6'd52: entry_o <= {29'd460625039, 25'd6676996, 18'd233610};
-                6'd53: entry_o <= {29'd467273501, 25'd6619929, 18'd234093};
-                6'd54: entry_o <= {29'd473865379, 25'd6563829, 18'd234565};
-                6'd55: entry_o <= {29'd480401629, 25'd6508672, 18'd235024};
-                6'd56: entry_o <= {29'd486883181, 25'd6454434, 18'd235473};
-                6'd57: entry_o <= {29'd493310944, 25'd6401093, 18'd235910};
-                6'd58: entry_o <= {29'd499685803, 25'd6348626, 18'd236337};
-                6'd59: entry_o <= {29'd506008622, 25'd6297012, 18'd236753};
-                6'd60: entry_o <= {29'd512280243, 25'd6246232, 18'd237159};
-                6'd61: entry_o <= {29'd518501490, 25'd6196262, 18'd237556};
-                6'd62: entry_o <= {29'd524673164, 25'd6147086, 18'd237943};
-                6'd63: entry_o <= {29'd530796049, 25'd6098686, 18'd238321};
-            endcase
-        end
-    end
-
-endmodule
-/* verilator lint_on DECLFILENAME */
-
-// glint_blinn_phong_p16_exp2: a read-only memory; the entry comes one enabled clock after its address.
-/* verilator lint_off DECLFILENAME */  // it has no file of its own
-module glint_blinn_phong_p16_exp2 (
-    input  wire        clk_i,
-    input  wire        enable_i,
-    input  wire [3:0] address_i,
-    output reg  [53:0] entry_o
-);
-
-    always @(posedge clk_i) begin
-        if (enable_i) begin
-            case (address_i)
-                4'd0: entry_o <= {21'd1048576, 19'd342612, 14'd3852};
-                4'd1: entry_o <= {21'd1004120, 19'd350312, 14'd3688};
-                4'd2: entry_o <= {21'd961548, 19'd357692, 14'd3532};
-                4'd3: entry_o <= {21'd920782, 19'd364754, 14'd3382};
-                4'd4: entry_o <= {21'd881744, 19'd371517, 14'd3239};
-                4'd5: entry_o <= {21'd844361, 19'd377994, 14'd3102};
-                4'd6: entry_o <= {21'd808563, 19'd384194, 14'd2970};
-                4'd7: entry_o <= {21'd774282, 19'd390136, 14'd2844};
-                4'd8: entry_o <= {21'd741455, 19'd395824, 14'd2724};
-                4'd9: entry_o <= {21'd710020, 19'd401268, 14'd2608};
-                4'd10: entry_o <= {21'd679917, 19'd406486, 14'd2498};
-                4'd11: entry_o <= {21'd651091, 19'd411480, 14'd2392};
-                4'd12: entry_o <= {21'd623487, 19'd416262, 14'd2290};
-                4'd13: entry_o <= {21'd597053, 19'd420843, 14'd2193};
-                4'd14: entry_o <= {21'd571740, 19'd425228, 14'd2100};
-                4'd15: entry_o <= {21'd547500, 19'd429429, 14'd2011};
-            endcase
-        end
-    end
-
-endmodule
-/* verilator lint_on DECLFILENAME */
 
 `default_nettype wire

@@ -28,12 +28,14 @@ module glint_blinn_phong_p8 #(
     wire [35:0] exp2_entry;
 
     glint_blinn_phong #(
-        .F(16),
-        .T(4),
-        .L(21),
-        .E(2),
-        .S(12),
-        .O(8),
+        .F       (16),
+        .T       (4),
+        .L       (21),
+        .E       (2),
+        .S       (12),
+        .O       (8),
+        .LATENCY (18),
+        .PRODUCTS(5),
         .MULTIPLIER_STAGES(MULTIPLIER_STAGES),
         .TAG_W(TAG_W)
     ) core (
@@ -56,14 +58,14 @@ module glint_blinn_phong_p8 #(
         .exp2_entry_i(exp2_entry)
     );
 
-    glint_blinn_phong_p8_log2 log2 (
+    glint_table_log2_16_21 log2 (
         .clk_i    (clk_i),
         .enable_i (table_enable),
         .address_i(log2_address),
         .entry_o  (log2_entry)
     );
 
-    glint_blinn_phong_p8_exp2 exp2 (
+    glint_table_exp2_4_13 exp2 (
         .clk_i    (clk_i),
         .enable_i (table_enable),
         .address_i(exp2_address),
@@ -71,63 +73,5 @@ module glint_blinn_phong_p8 #(
     );
 
 endmodule
-
-// glint_blinn_phong_p8_log2: a read-only memory; the entry comes one enabled clock after its address.
-/* verilator lint_off DECLFILENAME */  // it has no file of its own
-module glint_blinn_phong_p8_log2 (
-    input  wire        clk_i,
-    input  wire        enable_i,
-    input  wire [3:0] address_i,
-    output reg  [53:0] entry_o
-);
-
-    always @(posedge clk_i) begin
-        if (enable_i) begin
-            case (address_i)
-                4'd0: entry_o <= {21'd0, 19'd188982, 14'd10825};
-                4'd1: entry_o <= {21'd183423, 19'd177878, 14'd11442};
-                4'd2: entry_o <= {21'd356359, 19'd168005, 14'd11962};
-                4'd3: entry_o <= {21'd519942, 19'd159170, 14'd12404};
-                4'd4: entry_o <= {21'd675132, 19'd151218, 14'd12783};
-                4'd5: entry_o <= {21'd822749, 19'd144023, 14'd13110};
-                4'd6: entry_o <= {21'd963498, 19'd137480, 14'd13395};
-                4'd7: entry_o <= {21'd1097989, 19'd131506, 14'd13644};
-                4'd8: entry_o <= {21'd1226755, 19'd126030, 14'd13863};
-                4'd9: entry_o <= {21'd1350264, 19'd120992, 14'd14057};
-                4'd10: entry_o <= {21'd1468929, 19'd116340, 14'd14229};
-                4'd11: entry_o <= {21'd1583114, 19'd112033, 14'd14383};
-                4'd12: entry_o <= {21'd1693146, 19'd108034, 14'd14521};
-                4'd13: entry_o <= {21'd1799317, 19'd104309, 14'd14645};
-                4'd14: entry_o <= {21'd1901887, 19'd100834, 14'd14758};
-                4'd15: entry_o <= {21'd2001095, 19'd97582, 14'd14859};
-            endcase
-        end
-    end
-
-endmodule
-/* verilator lint_on DECLFILENAME */
-
-// glint_blinn_phong_p8_exp2: a read-only memory; the entry comes one enabled clock after its address.
-/* verilator lint_off DECLFILENAME */  // it has no file of its own
-module glint_blinn_phong_p8_exp2 (
-    input  wire        clk_i,
-    input  wire        enable_i,
-    input  wire [1:0] address_i,
-    output reg  [35:0] entry_o
-);
-
-    always @(posedge clk_i) begin
-        if (enable_i) begin
-            case (address_i)
-                2'd0: entry_o <= {13'd4096, 13'd5358, 10'd226};
-                2'd1: entry_o <= {13'd3444, 13'd5810, 10'd190};
-                2'd2: entry_o <= {13'd2896, 13'd6188, 10'd160};
-                2'd3: entry_o <= {13'd2435, 13'd6510, 10'd134};
-            endcase
-        end
-    end
-
-endmodule
-/* verilator lint_on DECLFILENAME */
 
 `default_nettype wire

@@ -1,13 +1,13 @@
 // The files of glint_cayley_p12, for `verilator -f` and `iverilog -f`. GLINT_RTL in the environment is the folder rtl/ of Glint.
-$(GLINT_RTL)/glint_delay.v
-$(GLINT_RTL)/glint_ports.v
-$(GLINT_RTL)/glint_multiplier.v
-$(GLINT_RTL)/glint_divider_restoring.v
-$(GLINT_RTL)/glint_divider_radix4.v
-$(GLINT_RTL)/glint_divider_iterative.v
-$(GLINT_RTL)/glint_divider_reciprocal.v
-$(GLINT_RTL)/glint_divider.v
-$(GLINT_RTL)/glint_square.v
-$(GLINT_RTL)/glint_power.v
-$(GLINT_RTL)/glint_cayley.v
+$(GLINT_RTL)/blocks/glint_delay.v
+$(GLINT_RTL)/blocks/glint_ports.v
+$(GLINT_RTL)/blocks/glint_multiplier.v
+$(GLINT_RTL)/blocks/glint_divider_restoring.v
+$(GLINT_RTL)/blocks/glint_divider_radix4.v
+$(GLINT_RTL)/blocks/glint_divider_iterative.v
+$(GLINT_RTL)/blocks/glint_divider_reciprocal.v
+$(GLINT_RTL)/blocks/glint_divider.v
+$(GLINT_RTL)/blocks/glint_square.v
+$(GLINT_RTL)/blocks/glint_power.v
+$(GLINT_RTL)/lobes/glint_cayley.v
 $(GLINT_RTL)/generated/glint_cayley_p12.v

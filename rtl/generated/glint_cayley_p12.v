@@ -24,10 +24,12 @@ module glint_cayley_p12 #(
 );
 
     glint_cayley #(
-        .F(18),
-        .A(0),
-        .S(17),
-        .O(12),
+        .F       (18),
+        .A       (0),
+        .S       (17),
+        .O       (12),
+        .LATENCY (10),
+        .PRODUCTS(4),
         .DIVIDER(DIVIDER),
         .REGISTER_EVERY(REGISTER_EVERY),
         .MULTIPLIER_STAGES(MULTIPLIER_STAGES),

@@ -24,10 +24,12 @@ module glint_cayley_p16 #(
 );
 
     glint_cayley #(
-        .F(20),
-        .A(0),
-        .S(21),
-        .O(16),
+        .F       (20),
+        .A       (0),
+        .S       (21),
+        .O       (16),
+        .LATENCY (10),
+        .PRODUCTS(4),
         .DIVIDER(DIVIDER),
         .REGISTER_EVERY(REGISTER_EVERY),
         .MULTIPLIER_STAGES(MULTIPLIER_STAGES),

@@ -24,10 +24,12 @@ module glint_cayley_p8 #(
 );
 
     glint_cayley #(
-        .F(16),
-        .A(0),
-        .S(13),
-        .O(8),
+        .F       (16),
+        .A       (0),
+        .S       (13),
+        .O       (8),
+        .LATENCY (10),
+        .PRODUCTS(4),
         .DIVIDER(DIVIDER),
         .REGISTER_EVERY(REGISTER_EVERY),
         .MULTIPLIER_STAGES(MULTIPLIER_STAGES),

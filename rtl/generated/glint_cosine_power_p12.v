@@ -22,10 +22,12 @@ module glint_cosine_power_p12 #(
 );
 
     glint_cosine_power #(
-        .F     (18),
-        .LOG2_A(3),
-        .S     (16),
-        .O     (12),
+        .F       (18),
+        .LOG2_A  (3),
+        .S       (16),
+        .O       (12),
+        .LATENCY (9),
+        .PRODUCTS(4),
         .MULTIPLIER_STAGES(MULTIPLIER_STAGES),
         .TAG_W(TAG_W)
     ) core (

@@ -1,8 +1,8 @@
 // The files of glint_cosine_power_p16, for `verilator -f` and `iverilog -f`. GLINT_RTL in the environment is the folder rtl/ of Glint.
-$(GLINT_RTL)/glint_delay.v
-$(GLINT_RTL)/glint_ports.v
-$(GLINT_RTL)/glint_multiplier.v
-$(GLINT_RTL)/glint_square.v
-$(GLINT_RTL)/glint_power.v
-$(GLINT_RTL)/glint_cosine_power.v
+$(GLINT_RTL)/blocks/glint_delay.v
+$(GLINT_RTL)/blocks/glint_ports.v
+$(GLINT_RTL)/blocks/glint_multiplier.v
+$(GLINT_RTL)/blocks/glint_square.v
+$(GLINT_RTL)/blocks/glint_power.v
+$(GLINT_RTL)/lobes/glint_cosine_power.v
 $(GLINT_RTL)/generated/glint_cosine_power_p16.v

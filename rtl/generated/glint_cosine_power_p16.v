@@ -22,10 +22,12 @@ module glint_cosine_power_p16 #(
 );
 
     glint_cosine_power #(
-        .F     (20),
-        .LOG2_A(3),
-        .S     (20),
-        .O     (16),
+        .F       (20),
+        .LOG2_A  (3),
+        .S       (20),
+        .O       (16),
+        .LATENCY (9),
+        .PRODUCTS(4),
         .MULTIPLIER_STAGES(MULTIPLIER_STAGES),
         .TAG_W(TAG_W)
     ) core (

@@ -22,10 +22,12 @@ module glint_cosine_power_p8 #(
 );
 
     glint_cosine_power #(
-        .F     (16),
-        .LOG2_A(3),
-        .S     (12),
-        .O     (8),
+        .F       (16),
+        .LOG2_A  (3),
+        .S       (12),
+        .O       (8),
+        .LATENCY (9),
+        .PRODUCTS(4),
         .MULTIPLIER_STAGES(MULTIPLIER_STAGES),
         .TAG_W(TAG_W)
     ) core (

@@ -80,35 +80,35 @@ module glint_effect_cook_torrance_modified_p12 #(
         .exp2_entry_i(exp2_entry)
     );
 
-    glint_effect_cook_torrance_modified_p12_log2_nl log2_nl (
+    glint_table_log2_32_21 log2_nl (
         .clk_i    (clk_i),
         .enable_i (table_enable),
         .address_i(log2_nl_address),
         .entry_o  (log2_nl_entry)
     );
 
-    glint_effect_cook_torrance_modified_p12_log2_nv log2_nv (
+    glint_table_log2_32_21 log2_nv (
         .clk_i    (clk_i),
         .enable_i (table_enable),
         .address_i(log2_nv_address),
         .entry_o  (log2_nv_entry)
     );
 
-    glint_effect_cook_torrance_modified_p12_log2_nh log2_nh (
+    glint_table_log2_32_21 log2_nh (
         .clk_i    (clk_i),
         .enable_i (table_enable),
         .address_i(log2_nh_address),
         .entry_o  (log2_nh_entry)
     );
 
-    glint_effect_cook_torrance_modified_p12_log2_vh log2_vh (
+    glint_table_log2_32_21 log2_vh (
         .clk_i    (clk_i),
         .enable_i (table_enable),
         .address_i(log2_vh_address),
         .entry_o  (log2_vh_entry)
     );
 
-    glint_effect_cook_torrance_modified_p12_exp2 exp2 (
+    glint_table_exp2_8_17 exp2 (
         .clk_i    (clk_i),
         .enable_i (table_enable),
         .address_i(exp2_address),
@@ -116,236 +116,5 @@ module glint_effect_cook_torrance_modified_p12 #(
     );
 
 endmodule
-
-// glint_effect_cook_torrance_modified_p12_log2_nl: a read-only memory; the entry comes one enabled clock after its address.
-/* verilator lint_off DECLFILENAME */  // it has no file of its own
-module glint_effect_cook_torrance_modified_p12_log2_nl (
-    input  wire        clk_i,
-    input  wire        enable_i,
-    input  wire [4:0] address_i,
-    output reg  [50:0] entry_o
-);
-
-    always @(posedge clk_i) begin
-        if (enable_i) begin
-            case (address_i)
-                5'd0: entry_o <= {21'd0, 18'd94533, 12'd2664};
-                5'd1: entry_o <= {21'd93101, 18'd91670, 12'd2748};
-                5'd2: entry_o <= {21'd183423, 18'd88974, 12'd2825};
-                5'd3: entry_o <= {21'd271126, 18'd86433, 12'd2896};
-                5'd4: entry_o <= {21'd356359, 18'd84033, 12'd2960};
-                5'd5: entry_o <= {21'd439256, 18'd81762, 12'd3020};
-                5'd6: entry_o <= {21'd519942, 18'd79611, 12'd3075};
-                5'd7: entry_o <= {21'd598532, 18'd77570, 12'd3126};
-                5'd8: entry_o <= {21'd675132, 18'd75631, 12'd3174};
-                5'd9: entry_o <= {21'd749841, 18'd73786, 12'd3218};
-                5'd10: entry_o <= {21'd822749, 18'd72031, 12'd3258};
-                5'd11: entry_o <= {21'd893942, 18'd70356, 12'd3296};
-                5'd12: entry_o <= {21'd963498, 18'd68757, 12'd3332};
-                5'd13: entry_o <= {21'd1031491, 18'd67229, 12'd3365};
-                5'd14: entry_o <= {21'd1097989, 18'd65768, 12'd3396};
-                5'd15: entry_o <= {21'd1163057, 18'd64369, 12'd3425};
-                5'd16: entry_o <= {21'd1226755, 18'd63028, 12'd3453};
-                5'd17: entry_o <= {21'd1289140, 18'd61741, 12'd3479};
-                5'd18: entry_o <= {21'd1350264, 18'd60507, 12'd3503};
-                5'd19: entry_o <= {21'd1410178, 18'd59321, 12'd3526};
-                5'd20: entry_o <= {21'd1468929, 18'd58180, 12'd3547};
-                5'd21: entry_o <= {21'd1526560, 18'd57083, 12'd3567};
-                5'd22: entry_o <= {21'd1583114, 18'd56025, 12'd3587};
-                5'd23: entry_o <= {21'd1638630, 18'd55007, 12'd3605};
-                5'd24: entry_o <= {21'd1693146, 18'd54025, 12'd3622};
-                5'd25: entry_o <= {21'd1746697, 18'd53078, 12'd3638};
-                5'd26: entry_o <= {21'd1799317, 18'd52162, 12'd3654};
-                5'd27: entry_o <= {21'd1851037, 18'd51277, 12'd3669};
-                5'd28: entry_o <= {21'd1901887, 18'd50424, 12'd3683};
-                5'd29: entry_o <= {21'd1951898, 18'd49597, 12'd3696};
-                5'd30: entry_o <= {21'd2001095, 18'd48797, 12'd3709};
-                5'd31: entry_o <= {21'd2049505, 18'd48022, 12'd3721};
-            endcase
-        end
-    end
-
-endmodule
-/* verilator lint_on DECLFILENAME */
-
-// glint_effect_cook_torrance_modified_p12_log2_nv: a read-only memory; the entry comes one enabled clock after its address.
-/* verilator lint_off DECLFILENAME */  // it has no file of its own
-module glint_effect_cook_torrance_modified_p12_log2_nv (
-    input  wire        clk_i,
-    input  wire        enable_i,
-    input  wire [4:0] address_i,
-    output reg  [50:0] entry_o
-);
-
-    always @(posedge clk_i) begin
-        if (enable_i) begin
-            case (address_i)
-                5'd0: entry_o <= {21'd0, 18'd94533, 12'd2664};
-                5'd1: entry_o <= {21'd93101, 18'd91670, 12'd2748};
-                5'd2: entry_o <= {21'd183423, 18'd88974, 12'd2825};
-                5'd3: entry_o <= {21'd271126, 18'd86433, 12'd2896};
-                5'd4: entry_o <= {21'd356359, 18'd84033, 12'd2960};
-                5'd5: entry_o <= {21'd439256, 18'd81762, 12'd3020};
-                5'd6: entry_o <= {21'd519942, 18'd79611, 12'd3075};
-                5'd7: entry_o <= {21'd598532, 18'd77570, 12'd3126};
-                5'd8: entry_o <= {21'd675132, 18'd75631, 12'd3174};
-                5'd9: entry_o <= {21'd749841, 18'd73786, 12'd3218};
-                5'd10: entry_o <= {21'd822749, 18'd72031, 12'd3258};
-                5'd11: entry_o <= {21'd893942, 18'd70356, 12'd3296};
-                5'd12: entry_o <= {21'd963498, 18'd68757, 12'd3332};
-                5'd13: entry_o <= {21'd1031491, 18'd67229, 12'd3365};
-                5'd14: entry_o <= {21'd1097989, 18'd65768, 12'd3396};
-                5'd15: entry_o <= {21'd1163057, 18'd64369, 12'd3425};
-                5'd16: entry_o <= {21'd1226755, 18'd63028, 12'd3453};
-                5'd17: entry_o <= {21'd1289140, 18'd61741, 12'd3479};
-                5'd18: entry_o <= {21'd1350264, 18'd60507, 12'd3503};
-                5'd19: entry_o <= {21'd1410178, 18'd59321, 12'd3526};
-                5'd20: entry_o <= {21'd1468929, 18'd58180, 12'd3547};
-                5'd21: entry_o <= {21'd1526560, 18'd57083, 12'd3567};
-                5'd22: entry_o <= {21'd1583114, 18'd56025, 12'd3587};
-                5'd23: entry_o <= {21'd1638630, 18'd55007, 12'd3605};
-                5'd24: entry_o <= {21'd1693146, 18'd54025, 12'd3622};
-                5'd25: entry_o <= {21'd1746697, 18'd53078, 12'd3638};
-                5'd26: entry_o <= {21'd1799317, 18'd52162, 12'd3654};
-                5'd27: entry_o <= {21'd1851037, 18'd51277, 12'd3669};
-                5'd28: entry_o <= {21'd1901887, 18'd50424, 12'd3683};
-                5'd29: entry_o <= {21'd1951898, 18'd49597, 12'd3696};
-                5'd30: entry_o <= {21'd2001095, 18'd48797, 12'd3709};
-                5'd31: entry_o <= {21'd2049505, 18'd48022, 12'd3721};
-            endcase
-        end
-    end
-
-endmodule
-/* verilator lint_on DECLFILENAME */
-
-// glint_effect_cook_torrance_modified_p12_log2_nh: a read-only memory; the entry comes one enabled clock after its address.
-/* verilator lint_off DECLFILENAME */  // it has no file of its own
-module glint_effect_cook_torrance_modified_p12_log2_nh (
-    input  wire        clk_i,
-    input  wire        enable_i,
-    input  wire [4:0] address_i,
-    output reg  [50:0] entry_o
-);
-
-    always @(posedge clk_i) begin
-        if (enable_i) begin
-            case (address_i)
-                5'd0: entry_o <= {21'd0, 18'd94533, 12'd2664};
-                5'd1: entry_o <= {21'd93101, 18'd91670, 12'd2748};
-                5'd2: entry_o <= {21'd183423, 18'd88974, 12'd2825};
-                5'd3: entry_o <= {21'd271126, 18'd86433, 12'd2896};
-                5'd4: entry_o <= {21'd356359, 18'd84033, 12'd2960};
-                5'd5: entry_o <= {21'd439256, 18'd81762, 12'd3020};
-                5'd6: entry_o <= {21'd519942, 18'd79611, 12'd3075};
-                5'd7: entry_o <= {21'd598532, 18'd77570, 12'd3126};
-                5'd8: entry_o <= {21'd675132, 18'd75631, 12'd3174};
-                5'd9: entry_o <= {21'd749841, 18'd73786, 12'd3218};
-                5'd10: entry_o <= {21'd822749, 18'd72031, 12'd3258};
-                5'd11: entry_o <= {21'd893942, 18'd70356, 12'd3296};
-                5'd12: entry_o <= {21'd963498, 18'd68757, 12'd3332};
-                5'd13: entry_o <= {21'd1031491, 18'd67229, 12'd3365};
-                5'd14: entry_o <= {21'd1097989, 18'd65768, 12'd3396};
-                5'd15: entry_o <= {21'd1163057, 18'd64369, 12'd3425};
-                5'd16: entry_o <= {21'd1226755, 18'd63028, 12'd3453};
-                5'd17: entry_o <= {21'd1289140, 18'd61741, 12'd3479};
-                5'd18: entry_o <= {21'd1350264, 18'd60507, 12'd3503};
-                5'd19: entry_o <= {21'd1410178, 18'd59321, 12'd3526};
-                5'd20: entry_o <= {21'd1468929, 18'd58180, 12'd3547};
-                5'd21: entry_o <= {21'd1526560, 18'd57083, 12'd3567};
-                5'd22: entry_o <= {21'd1583114, 18'd56025, 12'd3587};
-                5'd23: entry_o <= {21'd1638630, 18'd55007, 12'd3605};
-                5'd24: entry_o <= {21'd1693146, 18'd54025, 12'd3622};
-                5'd25: entry_o <= {21'd1746697, 18'd53078, 12'd3638};
-                5'd26: entry_o <= {21'd1799317, 18'd52162, 12'd3654};
-                5'd27: entry_o <= {21'd1851037, 18'd51277, 12'd3669};
-                5'd28: entry_o <= {21'd1901887, 18'd50424, 12'd3683};
-                5'd29: entry_o <= {21'd1951898, 18'd49597, 12'd3696};
-                5'd30: entry_o <= {21'd2001095, 18'd48797, 12'd3709};
-                5'd31: entry_o <= {21'd2049505, 18'd48022, 12'd3721};
-            endcase
-        end
-    end
-
-endmodule
-/* verilator lint_on DECLFILENAME */
-
-// glint_effect_cook_torrance_modified_p12_log2_vh: a read-only memory; the entry comes one enabled clock after its address.
-/* verilator lint_off DECLFILENAME */  // it has no file of its own
-module glint_effect_cook_torrance_modified_p12_log2_vh (
-    input  wire        clk_i,
-    input  wire        enable_i,
-    input  wire [4:0] address_i,
-    output reg  [50:0] entry_o
-);
-
-    always @(posedge clk_i) begin
-        if (enable_i) begin
-            case (address_i)
-                5'd0: entry_o <= {21'd0, 18'd94533, 12'd2664};
-                5'd1: entry_o <= {21'd93101, 18'd91670, 12'd2748};
-                5'd2: entry_o <= {21'd183423, 18'd88974, 12'd2825};
-                5'd3: entry_o <= {21'd271126, 18'd86433, 12'd2896};
-                5'd4: entry_o <= {21'd356359, 18'd84033, 12'd2960};
-                5'd5: entry_o <= {21'd439256, 18'd81762, 12'd3020};
-                5'd6: entry_o <= {21'd519942, 18'd79611, 12'd3075};
-                5'd7: entry_o <= {21'd598532, 18'd77570, 12'd3126};
-                5'd8: entry_o <= {21'd675132, 18'd75631, 12'd3174};
-                5'd9: entry_o <= {21'd749841, 18'd73786, 12'd3218};
-                5'd10: entry_o <= {21'd822749, 18'd72031, 12'd3258};
-                5'd11: entry_o <= {21'd893942, 18'd70356, 12'd3296};
-                5'd12: entry_o <= {21'd963498, 18'd68757, 12'd3332};
-                5'd13: entry_o <= {21'd1031491, 18'd67229, 12'd3365};
-                5'd14: entry_o <= {21'd1097989, 18'd65768, 12'd3396};
-                5'd15: entry_o <= {21'd1163057, 18'd64369, 12'd3425};
-                5'd16: entry_o <= {21'd1226755, 18'd63028, 12'd3453};
-                5'd17: entry_o <= {21'd1289140, 18'd61741, 12'd3479};
-                5'd18: entry_o <= {21'd1350264, 18'd60507, 12'd3503};
-                5'd19: entry_o <= {21'd1410178, 18'd59321, 12'd3526};
-                5'd20: entry_o <= {21'd1468929, 18'd58180, 12'd3547};
-                5'd21: entry_o <= {21'd1526560, 18'd57083, 12'd3567};
-                5'd22: entry_o <= {21'd1583114, 18'd56025, 12'd3587};
-                5'd23: entry_o <= {21'd1638630, 18'd55007, 12'd3605};
-                5'd24: entry_o <= {21'd1693146, 18'd54025, 12'd3622};
-                5'd25: entry_o <= {21'd1746697, 18'd53078, 12'd3638};
-                5'd26: entry_o <= {21'd1799317, 18'd52162, 12'd3654};
-                5'd27: entry_o <= {21'd1851037, 18'd51277, 12'd3669};
-                5'd28: entry_o <= {21'd1901887, 18'd50424, 12'd3683};
-                5'd29: entry_o <= {21'd1951898, 18'd49597, 12'd3696};
-                5'd30: entry_o <= {21'd2001095, 18'd48797, 12'd3709};
-                5'd31: entry_o <= {21'd2049505, 18'd48022, 12'd3721};
-            endcase
-        end
-    end
-
-endmodule
-/* verilator lint_on DECLFILENAME */
-
-// glint_effect_cook_torrance_modified_p12_exp2: a read-only memory; the entry comes one enabled clock after its address.
-/* verilator lint_off DECLFILENAME */  // it has no file of its own
-module glint_effect_cook_torrance_modified_p12_exp2 (
-    input  wire        clk_i,
-    input  wire        enable_i,
-    input  wire [2:0] address_i,
-    output reg  [44:0] entry_o
-);
-
-    always @(posedge clk_i) begin
-        if (enable_i) begin
-            case (address_i)
-                3'd0: entry_o <= {17'd65536, 16'd42838, 12'd942};
-                3'd1: entry_o <= {17'd60097, 16'd44720, 12'd864};
-                3'd2: entry_o <= {17'd55109, 16'd46448, 12'd792};
-                3'd3: entry_o <= {17'd50535, 16'd48033, 12'd727};
-                3'd4: entry_o <= {17'd46341, 16'd49486, 12'd666};
-                3'd5: entry_o <= {17'd42495, 16'd50817, 12'd611};
-                3'd6: entry_o <= {17'd38968, 16'd52040, 12'd560};
-                3'd7: entry_o <= {17'd35734, 16'd53158, 12'd514};
-            endcase
-        end
-    end
-
-endmodule
-/* verilator lint_on DECLFILENAME */
 
 `default_nettype wire

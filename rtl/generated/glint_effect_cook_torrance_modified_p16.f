@@ -1,11 +1,14 @@
 // The files of glint_effect_cook_torrance_modified_p16, for `verilator -f` and `iverilog -f`. GLINT_RTL in the environment is the folder rtl/ of Glint.
-$(GLINT_RTL)/glint_delay.v
-$(GLINT_RTL)/glint_stream.v
-$(GLINT_RTL)/glint_multiplier.v
-$(GLINT_RTL)/glint_parabola.v
-$(GLINT_RTL)/glint_log2.v
-$(GLINT_RTL)/glint_attenuation.v
-$(GLINT_RTL)/glint_scaled_power.v
-$(GLINT_RTL)/glint_dot.v
-$(GLINT_RTL)/glint_effect_cook_torrance_modified.v
+$(GLINT_RTL)/blocks/glint_delay.v
+$(GLINT_RTL)/blocks/glint_stream.v
+$(GLINT_RTL)/blocks/glint_multiplier.v
+$(GLINT_RTL)/blocks/glint_parabola.v
+$(GLINT_RTL)/blocks/glint_log2.v
+$(GLINT_RTL)/blocks/glint_attenuation.v
+$(GLINT_RTL)/blocks/glint_scaled_power.v
+$(GLINT_RTL)/blocks/glint_dot.v
+$(GLINT_RTL)/blocks/glint_microfacets.v
+$(GLINT_RTL)/effects/glint_effect_cook_torrance_modified.v
+$(GLINT_RTL)/generated/glint_table_log2_64_25.v
+$(GLINT_RTL)/generated/glint_table_exp2_16_21.v
 $(GLINT_RTL)/generated/glint_effect_cook_torrance_modified_p16.v

@@ -68,21 +68,21 @@ module glint_effect_ward_p12 #(
         .exp2_entry_i(exp2_entry)
     );
 
-    glint_effect_ward_p12_log2_nl log2_nl (
+    glint_table_log2_16_19 log2_nl (
         .clk_i    (clk_i),
         .enable_i (table_enable),
         .address_i(log2_nl_address),
         .entry_o  (log2_nl_entry)
     );
 
-    glint_effect_ward_p12_log2_nv log2_nv (
+    glint_table_log2_16_19 log2_nv (
         .clk_i    (clk_i),
         .enable_i (table_enable),
         .address_i(log2_nv_address),
         .entry_o  (log2_nv_entry)
     );
 
-    glint_effect_ward_p12_exp2 exp2 (
+    glint_table_exp2_8_17 exp2 (
         .clk_i    (clk_i),
         .enable_i (table_enable),
         .address_i(exp2_address),
@@ -90,102 +90,5 @@ module glint_effect_ward_p12 #(
     );
 
 endmodule
-
-// glint_effect_ward_p12_log2_nl: a read-only memory; the entry comes one enabled clock after its address.
-/* verilator lint_off DECLFILENAME */  // it has no file of its own
-module glint_effect_ward_p12_log2_nl (
-    input  wire        clk_i,
-    input  wire        enable_i,
-    input  wire [3:0] address_i,
-    output reg  [47:0] entry_o
-);
-
-    always @(posedge clk_i) begin
-        if (enable_i) begin
-            case (address_i)
-                4'd0: entry_o <= {19'd0, 17'd47246, 12'd2706};
-                4'd1: entry_o <= {19'd45856, 17'd44469, 12'd2861};
-                4'd2: entry_o <= {19'd89090, 17'd42000, 12'd2991};
-                4'd3: entry_o <= {19'd129985, 17'd39793, 12'd3101};
-                4'd4: entry_o <= {19'd168783, 17'd37804, 12'd3196};
-                4'd5: entry_o <= {19'd205687, 17'd36005, 12'd3278};
-                4'd6: entry_o <= {19'd240874, 17'd34370, 12'd3349};
-                4'd7: entry_o <= {19'd274497, 17'd32877, 12'd3411};
-                4'd8: entry_o <= {19'd306689, 17'd31507, 12'd3466};
-                4'd9: entry_o <= {19'd337566, 17'd30248, 12'd3514};
-                4'd10: entry_o <= {19'd367232, 17'd29085, 12'd3557};
-                4'd11: entry_o <= {19'd395778, 17'd28008, 12'd3596};
-                4'd12: entry_o <= {19'd423286, 17'd27009, 12'd3630};
-                4'd13: entry_o <= {19'd449829, 17'd26078, 12'd3661};
-                4'd14: entry_o <= {19'd475472, 17'd25209, 12'd3689};
-                4'd15: entry_o <= {19'd500274, 17'd24395, 12'd3715};
-            endcase
-        end
-    end
-
-endmodule
-/* verilator lint_on DECLFILENAME */
-
-// glint_effect_ward_p12_log2_nv: a read-only memory; the entry comes one enabled clock after its address.
-/* verilator lint_off DECLFILENAME */  // it has no file of its own
-module glint_effect_ward_p12_log2_nv (
-    input  wire        clk_i,
-    input  wire        enable_i,
-    input  wire [3:0] address_i,
-    output reg  [47:0] entry_o
-);
-
-    always @(posedge clk_i) begin
-        if (enable_i) begin
-            case (address_i)
-                4'd0: entry_o <= {19'd0, 17'd47246, 12'd2706};
-                4'd1: entry_o <= {19'd45856, 17'd44469, 12'd2861};
-                4'd2: entry_o <= {19'd89090, 17'd42000, 12'd2991};
-                4'd3: entry_o <= {19'd129985, 17'd39793, 12'd3101};
-                4'd4: entry_o <= {19'd168783, 17'd37804, 12'd3196};
-                4'd5: entry_o <= {19'd205687, 17'd36005, 12'd3278};
-                4'd6: entry_o <= {19'd240874, 17'd34370, 12'd3349};
-                4'd7: entry_o <= {19'd274497, 17'd32877, 12'd3411};
-                4'd8: entry_o <= {19'd306689, 17'd31507, 12'd3466};
-                4'd9: entry_o <= {19'd337566, 17'd30248, 12'd3514};
-                4'd10: entry_o <= {19'd367232, 17'd29085, 12'd3557};
-                4'd11: entry_o <= {19'd395778, 17'd28008, 12'd3596};
-                4'd12: entry_o <= {19'd423286, 17'd27009, 12'd3630};
-                4'd13: entry_o <= {19'd449829, 17'd26078, 12'd3661};
-                4'd14: entry_o <= {19'd475472, 17'd25209, 12'd3689};
-                4'd15: entry_o <= {19'd500274, 17'd24395, 12'd3715};
-            endcase
-        end
-    end
-
-endmodule
-/* verilator lint_on DECLFILENAME */
-
-// glint_effect_ward_p12_exp2: a read-only memory; the entry comes one enabled clock after its address.
-/* verilator lint_off DECLFILENAME */  // it has no file of its own
-module glint_effect_ward_p12_exp2 (
-    input  wire        clk_i,
-    input  wire        enable_i,
-    input  wire [2:0] address_i,
-    output reg  [44:0] entry_o
-);
-
-    always @(posedge clk_i) begin
-        if (enable_i) begin
-            case (address_i)
-                3'd0: entry_o <= {17'd65536, 16'd42838, 12'd942};
-                3'd1: entry_o <= {17'd60097, 16'd44720, 12'd864};
-                3'd2: entry_o <= {17'd55109, 16'd46448, 12'd792};
-                3'd3: entry_o <= {17'd50535, 16'd48033, 12'd727};
-                3'd4: entry_o <= {17'd46341, 16'd49486, 12'd666};
-                3'd5: entry_o <= {17'd42495, 16'd50817, 12'd611};
-                3'd6: entry_o <= {17'd38968, 16'd52040, 12'd560};
-                3'd7: entry_o <= {17'd35734, 16'd53158, 12'd514};
-            endcase
-        end
-    end
-
-endmodule
-/* verilator lint_on DECLFILENAME */
 
 `default_nettype wire

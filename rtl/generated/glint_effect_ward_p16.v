@@ -68,21 +68,21 @@ module glint_effect_ward_p16 #(
         .exp2_entry_i(exp2_entry)
     );
 
-    glint_effect_ward_p16_log2_nl log2_nl (
+    glint_table_log2_32_21 log2_nl (
         .clk_i    (clk_i),
         .enable_i (table_enable),
         .address_i(log2_nl_address),
         .entry_o  (log2_nl_entry)
     );
 
-    glint_effect_ward_p16_log2_nv log2_nv (
+    glint_table_log2_32_21 log2_nv (
         .clk_i    (clk_i),
         .enable_i (table_enable),
         .address_i(log2_nv_address),
         .entry_o  (log2_nv_entry)
     );
 
-    glint_effect_ward_p16_exp2 exp2 (
+    glint_table_exp2_16_21 exp2 (
         .clk_i    (clk_i),
         .enable_i (table_enable),
         .address_i(exp2_address),
@@ -90,142 +90,5 @@ module glint_effect_ward_p16 #(
     );
 
 endmodule
-
-// glint_effect_ward_p16_log2_nl: a read-only memory; the entry comes one enabled clock after its address.
-/* verilator lint_off DECLFILENAME */  // it has no file of its own
-module glint_effect_ward_p16_log2_nl (
-    input  wire        clk_i,
-    input  wire        enable_i,
-    input  wire [4:0] address_i,
-    output reg  [50:0] entry_o
-);
-
-    always @(posedge clk_i) begin
-        if (enable_i) begin
-            case (address_i)
-                5'd0: entry_o <= {21'd0, 18'd94533, 12'd2664};
-                5'd1: entry_o <= {21'd93101, 18'd91670, 12'd2748};
-                5'd2: entry_o <= {21'd183423, 18'd88974, 12'd2825};
-                5'd3: entry_o <= {21'd271126, 18'd86433, 12'd2896};
-                5'd4: entry_o <= {21'd356359, 18'd84033, 12'd2960};
-                5'd5: entry_o <= {21'd439256, 18'd81762, 12'd3020};
-                5'd6: entry_o <= {21'd519942, 18'd79611, 12'd3075};
-                5'd7: entry_o <= {21'd598532, 18'd77570, 12'd3126};
-                5'd8: entry_o <= {21'd675132, 18'd75631, 12'd3174};
-                5'd9: entry_o <= {21'd749841, 18'd73786, 12'd3218};
-                5'd10: entry_o <= {21'd822749, 18'd72031, 12'd3258};
-                5'd11: entry_o <= {21'd893942, 18'd70356, 12'd3296};
-                5'd12: entry_o <= {21'd963498, 18'd68757, 12'd3332};
-                5'd13: entry_o <= {21'd1031491, 18'd67229, 12'd3365};
-                5'd14: entry_o <= {21'd1097989, 18'd65768, 12'd3396};
-                5'd15: entry_o <= {21'd1163057, 18'd64369, 12'd3425};
-                5'd16: entry_o <= {21'd1226755, 18'd63028, 12'd3453};
-                5'd17: entry_o <= {21'd1289140, 18'd61741, 12'd3479};
-                5'd18: entry_o <= {21'd1350264, 18'd60507, 12'd3503};
-                5'd19: entry_o <= {21'd1410178, 18'd59321, 12'd3526};
-                5'd20: entry_o <= {21'd1468929, 18'd58180, 12'd3547};
-                5'd21: entry_o <= {21'd1526560, 18'd57083, 12'd3567};
-                5'd22: entry_o <= {21'd1583114, 18'd56025, 12'd3587};
-                5'd23: entry_o <= {21'd1638630, 18'd55007, 12'd3605};
-                5'd24: entry_o <= {21'd1693146, 18'd54025, 12'd3622};
-                5'd25: entry_o <= {21'd1746697, 18'd53078, 12'd3638};
-                5'd26: entry_o <= {21'd1799317, 18'd52162, 12'd3654};
-                5'd27: entry_o <= {21'd1851037, 18'd51277, 12'd3669};
-                5'd28: entry_o <= {21'd1901887, 18'd50424, 12'd3683};
-                5'd29: entry_o <= {21'd1951898, 18'd49597, 12'd3696};
-                5'd30: entry_o <= {21'd2001095, 18'd48797, 12'd3709};
-                5'd31: entry_o <= {21'd2049505, 18'd48022, 12'd3721};
-            endcase
-        end
-    end
-
-endmodule
-/* verilator lint_on DECLFILENAME */
-
-// glint_effect_ward_p16_log2_nv: a read-only memory; the entry comes one enabled clock after its address.
-/* verilator lint_off DECLFILENAME */  // it has no file of its own
-module glint_effect_ward_p16_log2_nv (
-    input  wire        clk_i,
-    input  wire        enable_i,
-    input  wire [4:0] address_i,
-    output reg  [50:0] entry_o
-);
-
-    always @(posedge clk_i) begin
-        if (enable_i) begin
-            case (address_i)
-                5'd0: entry_o <= {21'd0, 18'd94533, 12'd2664};
-                5'd1: entry_o <= {21'd93101, 18'd91670, 12'd2748};
-                5'd2: entry_o <= {21'd183423, 18'd88974, 12'd2825};
-                5'd3: entry_o <= {21'd271126, 18'd86433, 12'd2896};
-                5'd4: entry_o <= {21'd356359, 18'd84033, 12'd2960};
-                5'd5: entry_o <= {21'd439256, 18'd81762, 12'd3020};
-                5'd6: entry_o <= {21'd519942, 18'd79611, 12'd3075};
-                5'd7: entry_o <= {21'd598532, 18'd77570, 12'd3126};
-                5'd8: entry_o <= {21'd675132, 18'd75631, 12'd3174};
-                5'd9: entry_o <= {21'd749841, 18'd73786, 12'd3218};
-                5'd10: entry_o <= {21'd822749, 18'd72031, 12'd3258};
-                5'd11: entry_o <= {21'd893942, 18'd70356, 12'd3296};
-                5'd12: entry_o <= {21'd963498, 18'd68757, 12'd3332};
-                5'd13: entry_o <= {21'd1031491, 18'd67229, 12'd3365};
-                5'd14: entry_o <= {21'd1097989, 18'd65768, 12'd3396};
-                5'd15: entry_o <= {21'd1163057, 18'd64369, 12'd3425};
-                5'd16: entry_o <= {21'd1226755, 18'd63028, 12'd3453};
-                5'd17: entry_o <= {21'd1289140, 18'd61741, 12'd3479};
-                5'd18: entry_o <= {21'd1350264, 18'd60507, 12'd3503};
-                5'd19: entry_o <= {21'd1410178, 18'd59321, 12'd3526};
-                5'd20: entry_o <= {21'd1468929, 18'd58180, 12'd3547};
-                5'd21: entry_o <= {21'd1526560, 18'd57083, 12'd3567};
-                5'd22: entry_o <= {21'd1583114, 18'd56025, 12'd3587};
-                5'd23: entry_o <= {21'd1638630, 18'd55007, 12'd3605};
-                5'd24: entry_o <= {21'd1693146, 18'd54025, 12'd3622};
-                5'd25: entry_o <= {21'd1746697, 18'd53078, 12'd3638};
-                5'd26: entry_o <= {21'd1799317, 18'd52162, 12'd3654};
-                5'd27: entry_o <= {21'd1851037, 18'd51277, 12'd3669};
-                5'd28: entry_o <= {21'd1901887, 18'd50424, 12'd3683};
-                5'd29: entry_o <= {21'd1951898, 18'd49597, 12'd3696};
-                5'd30: entry_o <= {21'd2001095, 18'd48797, 12'd3709};
-                5'd31: entry_o <= {21'd2049505, 18'd48022, 12'd3721};
-            endcase
-        end
-    end
-
-endmodule
-/* verilator lint_on DECLFILENAME */
-
-// glint_effect_ward_p16_exp2: a read-only memory; the entry comes one enabled clock after its address.
-/* verilator lint_off DECLFILENAME */  // it has no file of its own
-module glint_effect_ward_p16_exp2 (
-    input  wire        clk_i,
-    input  wire        enable_i,
-    input  wire [3:0] address_i,
-    output reg  [53:0] entry_o
-);
-
-    always @(posedge clk_i) begin
-        if (enable_i) begin
-            case (address_i)
-                4'd0: entry_o <= {21'd1048576, 19'd342612, 14'd3852};
-                4'd1: entry_o <= {21'd1004120, 19'd350312, 14'd3688};
-                4'd2: entry_o <= {21'd961548, 19'd357692, 14'd3532};
-                4'd3: entry_o <= {21'd920782, 19'd364754, 14'd3382};
-                4'd4: entry_o <= {21'd881744, 19'd371517, 14'd3239};
-                4'd5: entry_o <= {21'd844361, 19'd377994, 14'd3102};
-                4'd6: entry_o <= {21'd808563, 19'd384194, 14'd2970};
-                4'd7: entry_o <= {21'd774282, 19'd390136, 14'd2844};
-                4'd8: entry_o <= {21'd741455, 19'd395824, 14'd2724};
-                4'd9: entry_o <= {21'd710020, 19'd401268, 14'd2608};
-                4'd10: entry_o <= {21'd679917, 19'd406486, 14'd2498};
-                4'd11: entry_o <= {21'd651091, 19'd411480, 14'd2392};
-                4'd12: entry_o <= {21'd623487, 19'd416262, 14'd2290};
-                4'd13: entry_o <= {21'd597053, 19'd420843, 14'd2193};
-                4'd14: entry_o <= {21'd571740, 19'd425228, 14'd2100};
-                4'd15: entry_o <= {21'd547500, 19'd429429, 14'd2011};
-            endcase
-        end
-    end
-
-endmodule
-/* verilator lint_on DECLFILENAME */
 
 `default_nettype wire

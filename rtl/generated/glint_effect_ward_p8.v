@@ -68,21 +68,21 @@ module glint_effect_ward_p8 #(
         .exp2_entry_i(exp2_entry)
     );
 
-    glint_effect_ward_p8_log2_nl log2_nl (
+    glint_table_log2_16_17 log2_nl (
         .clk_i    (clk_i),
         .enable_i (table_enable),
         .address_i(log2_nl_address),
         .entry_o  (log2_nl_entry)
     );
 
-    glint_effect_ward_p8_log2_nv log2_nv (
+    glint_table_log2_16_17 log2_nv (
         .clk_i    (clk_i),
         .enable_i (table_enable),
         .address_i(log2_nv_address),
         .entry_o  (log2_nv_entry)
     );
 
-    glint_effect_ward_p8_exp2 exp2 (
+    glint_table_exp2_4_13 exp2 (
         .clk_i    (clk_i),
         .enable_i (table_enable),
         .address_i(exp2_address),
@@ -90,98 +90,5 @@ module glint_effect_ward_p8 #(
     );
 
 endmodule
-
-// glint_effect_ward_p8_log2_nl: a read-only memory; the entry comes one enabled clock after its address.
-/* verilator lint_off DECLFILENAME */  // it has no file of its own
-module glint_effect_ward_p8_log2_nl (
-    input  wire        clk_i,
-    input  wire        enable_i,
-    input  wire [3:0] address_i,
-    output reg  [41:0] entry_o
-);
-
-    always @(posedge clk_i) begin
-        if (enable_i) begin
-            case (address_i)
-                4'd0: entry_o <= {17'd0, 15'd11811, 10'd677};
-                4'd1: entry_o <= {17'd11464, 15'd11117, 10'd715};
-                4'd2: entry_o <= {17'd22272, 15'd10500, 10'd748};
-                4'd3: entry_o <= {17'd32496, 15'd9949, 10'd775};
-                4'd4: entry_o <= {17'd42196, 15'd9451, 10'd799};
-                4'd5: entry_o <= {17'd51422, 15'd9002, 10'd819};
-                4'd6: entry_o <= {17'd60219, 15'd8592, 10'd837};
-                4'd7: entry_o <= {17'd68624, 15'd8219, 10'd853};
-                4'd8: entry_o <= {17'd76672, 15'd7878, 10'd866};
-                4'd9: entry_o <= {17'd84392, 15'd7561, 10'd879};
-                4'd10: entry_o <= {17'd91808, 15'd7272, 10'd889};
-                4'd11: entry_o <= {17'd98945, 15'd7002, 10'd899};
-                4'd12: entry_o <= {17'd105822, 15'd6751, 10'd908};
-                4'd13: entry_o <= {17'd112457, 15'd6520, 10'd915};
-                4'd14: entry_o <= {17'd118868, 15'd6302, 10'd922};
-                4'd15: entry_o <= {17'd125068, 15'd6099, 10'd929};
-            endcase
-        end
-    end
-
-endmodule
-/* verilator lint_on DECLFILENAME */
-
-// glint_effect_ward_p8_log2_nv: a read-only memory; the entry comes one enabled clock after its address.
-/* verilator lint_off DECLFILENAME */  // it has no file of its own
-module glint_effect_ward_p8_log2_nv (
-    input  wire        clk_i,
-    input  wire        enable_i,
-    input  wire [3:0] address_i,
-    output reg  [41:0] entry_o
-);
-
-    always @(posedge clk_i) begin
-        if (enable_i) begin
-            case (address_i)
-                4'd0: entry_o <= {17'd0, 15'd11811, 10'd677};
-                4'd1: entry_o <= {17'd11464, 15'd11117, 10'd715};
-                4'd2: entry_o <= {17'd22272, 15'd10500, 10'd748};
-                4'd3: entry_o <= {17'd32496, 15'd9949, 10'd775};
-                4'd4: entry_o <= {17'd42196, 15'd9451, 10'd799};
-                4'd5: entry_o <= {17'd51422, 15'd9002, 10'd819};
-                4'd6: entry_o <= {17'd60219, 15'd8592, 10'd837};
-                4'd7: entry_o <= {17'd68624, 15'd8219, 10'd853};
-                4'd8: entry_o <= {17'd76672, 15'd7878, 10'd866};
-                4'd9: entry_o <= {17'd84392, 15'd7561, 10'd879};
-                4'd10: entry_o <= {17'd91808, 15'd7272, 10'd889};
-                4'd11: entry_o <= {17'd98945, 15'd7002, 10'd899};
-                4'd12: entry_o <= {17'd105822, 15'd6751, 10'd908};
-                4'd13: entry_o <= {17'd112457, 15'd6520, 10'd915};
-                4'd14: entry_o <= {17'd118868, 15'd6302, 10'd922};
-                4'd15: entry_o <= {17'd125068, 15'd6099, 10'd929};
-            endcase
-        end
-    end
-
-endmodule
-/* verilator lint_on DECLFILENAME */
-
-// glint_effect_ward_p8_exp2: a read-only memory; the entry comes one enabled clock after its address.
-/* verilator lint_off DECLFILENAME */  // it has no file of its own
-module glint_effect_ward_p8_exp2 (
-    input  wire        clk_i,
-    input  wire        enable_i,
-    input  wire [1:0] address_i,
-    output reg  [35:0] entry_o
-);
-
-    always @(posedge clk_i) begin
-        if (enable_i) begin
-            case (address_i)
-                2'd0: entry_o <= {13'd4096, 13'd5358, 10'd226};
-                2'd1: entry_o <= {13'd3444, 13'd5810, 10'd190};
-                2'd2: entry_o <= {13'd2896, 13'd6188, 10'd160};
-                2'd3: entry_o <= {13'd2435, 13'd6510, 10'd134};
-            endcase
-        end
-    end
-
-endmodule
-/* verilator lint_on DECLFILENAME */
 
 `default_nettype wire

@@ -1,11 +1,13 @@
 // The files of glint_gauss_axis_p12, for `verilator -f` and `iverilog -f`. GLINT_RTL in the environment is the folder rtl/ of Glint.
-$(GLINT_RTL)/glint_skid.v
-$(GLINT_RTL)/glint_axis.v
-$(GLINT_RTL)/glint_delay.v
-$(GLINT_RTL)/glint_ports.v
-$(GLINT_RTL)/glint_multiplier.v
-$(GLINT_RTL)/glint_parabola.v
-$(GLINT_RTL)/glint_exp2.v
-$(GLINT_RTL)/glint_gauss.v
+$(GLINT_RTL)/blocks/glint_skid.v
+$(GLINT_RTL)/blocks/glint_axis.v
+$(GLINT_RTL)/blocks/glint_delay.v
+$(GLINT_RTL)/blocks/glint_ports.v
+$(GLINT_RTL)/blocks/glint_multiplier.v
+$(GLINT_RTL)/blocks/glint_parabola.v
+$(GLINT_RTL)/blocks/glint_exp2.v
+$(GLINT_RTL)/lobes/glint_gauss.v
+$(GLINT_RTL)/generated/glint_table_half_square_angle_32_26.v
+$(GLINT_RTL)/generated/glint_table_exp2_8_17.v
 $(GLINT_RTL)/generated/glint_gauss_p12.v
 $(GLINT_RTL)/generated/glint_gauss_axis_p12.v

@@ -28,12 +28,14 @@ module glint_gauss_p12 #(
     wire [44:0] exp2_entry;
 
     glint_gauss #(
-        .F(18),
-        .T(5),
-        .L(25),
-        .E(3),
-        .S(16),
-        .O(12),
+        .F       (18),
+        .T       (5),
+        .L       (25),
+        .E       (3),
+        .S       (16),
+        .O       (12),
+        .LATENCY (15),
+        .PRODUCTS(5),
         .MULTIPLIER_STAGES(MULTIPLIER_STAGES),
         .TAG_W(TAG_W)
     ) core (
@@ -56,14 +58,14 @@ module glint_gauss_p12 #(
         .exp2_entry_i(exp2_entry)
     );
 
-    glint_gauss_p12_angle angle (
+    glint_table_half_square_angle_32_26 angle (
         .clk_i    (clk_i),
         .enable_i (table_enable),
         .address_i(angle_address),
         .entry_o  (angle_entry)
     );
 
-    glint_gauss_p12_exp2 exp2 (
+    glint_table_exp2_8_17 exp2 (
         .clk_i    (clk_i),
         .enable_i (table_enable),
         .address_i(exp2_address),
@@ -71,83 +73,5 @@ module glint_gauss_p12 #(
     );
 
 endmodule
-
-// glint_gauss_p12_angle: a read-only memory; the entry comes one enabled clock after its address.
-/* verilator lint_off DECLFILENAME */  // it has no file of its own
-module glint_gauss_p12_angle (
-    input  wire        clk_i,
-    input  wire        enable_i,
-    input  wire [4:0] address_i,
-    output reg  [64:0] entry_o
-);
-
-    always @(posedge clk_i) begin
-        if (enable_i) begin
-            case (address_i)
-                5'd0: entry_o <= {26'd0, 23'd1512742, 16'd7979};
-                5'd1: entry_o <= {26'd1520721, 23'd1528698, 16'd8184};
-                5'd2: entry_o <= {26'd3057603, 23'd1545065, 16'd8398};
-                5'd3: entry_o <= {26'd4611066, 23'd1561859, 16'd8620};
-                5'd4: entry_o <= {26'd6181545, 23'd1579099, 16'd8853};
-                5'd5: entry_o <= {26'd7769497, 23'd1596803, 16'd9096};
-                5'd6: entry_o <= {26'd9375396, 23'd1614993, 16'd9350};
-                5'd7: entry_o <= {26'd10999739, 23'd1633692, 16'd9615};
-                5'd8: entry_o <= {26'd12643046, 23'd1652920, 16'd9892};
-                5'd9: entry_o <= {26'd14305858, 23'd1672702, 16'd10183};
-                5'd10: entry_o <= {26'd15988743, 23'd1693068, 16'd10488};
-                5'd11: entry_o <= {26'd17692299, 23'd1714041, 16'd10808};
-                5'd12: entry_o <= {26'd19417148, 23'd1735654, 16'd11144};
-                5'd13: entry_o <= {26'd21163946, 23'd1757941, 16'd11496};
-                5'd14: entry_o <= {26'd22933383, 23'd1780929, 16'd11868};
-                5'd15: entry_o <= {26'd24726180, 23'd1804663, 16'd12259};
-                5'd16: entry_o <= {26'd26543102, 23'd1829177, 16'd12671};
-                5'd17: entry_o <= {26'd28384950, 23'd1854515, 16'd13106};
-                5'd18: entry_o <= {26'd30252571, 23'd1880725, 16'd13565};
-                5'd19: entry_o <= {26'd32146861, 23'd1907851, 16'd14052};
-                5'd20: entry_o <= {26'd34068764, 23'd1935951, 16'd14567};
-                5'd21: entry_o <= {26'd36019282, 23'd1965080, 16'd15113};
-                5'd22: entry_o <= {26'd37999475, 23'd1995301, 16'd15693};
-                5'd23: entry_o <= {26'd40010469, 23'd2026682, 16'd16310};
-                5'd24: entry_o <= {26'd42053461, 23'd2059296, 16'd16967};
-                5'd25: entry_o <= {26'd44129724, 23'd2093224, 16'd17668};
-                5'd26: entry_o <= {26'd46240616, 23'd2128552, 16'd18417};
-                5'd27: entry_o <= {26'd48387585, 23'd2165379, 16'd19218};
-                5'd28: entry_o <= {26'd50572182, 23'd2203809, 16'd20078};
-                5'd29: entry_o <= {26'd52796069, 23'd2243956, 16'd21002};
-                5'd30: entry_o <= {26'd55061027, 23'd2285951, 16'd21997};
-                5'd31: entry_o <= {26'd57368975, 23'd2329934, 16'd23070};
-            endcase
-        end
-    end
-
-endmodule
-/* verilator lint_on DECLFILENAME */
-
-// glint_gauss_p12_exp2: a read-only memory; the entry comes one enabled clock after its address.
-/* verilator lint_off DECLFILENAME */  // it has no file of its own
-module glint_gauss_p12_exp2 (
-    input  wire        clk_i,
-    input  wire        enable_i,
-    input  wire [2:0] address_i,
-    output reg  [44:0] entry_o
-);
-
-    always @(posedge clk_i) begin
-        if (enable_i) begin
-            case (address_i)
-                3'd0: entry_o <= {17'd65536, 16'd42838, 12'd942};
-                3'd1: entry_o <= {17'd60097, 16'd44720, 12'd864};
-                3'd2: entry_o <= {17'd55109, 16'd46448, 12'd792};
-                3'd3: entry_o <= {17'd50535, 16'd48033, 12'd727};
-                3'd4: entry_o <= {17'd46341, 16'd49486, 12'd666};
-                3'd5: entry_o <= {17'd42495, 16'd50817, 12'd611};
-                3'd6: entry_o <= {17'd38968, 16'd52040, 12'd560};
-                3'd7: entry_o <= {17'd35734, 16'd53158, 12'd514};
-            endcase
-        end
-    end
-
-endmodule
-/* verilator lint_on DECLFILENAME */
 
 `default_nettype wire

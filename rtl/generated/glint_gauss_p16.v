@@ -28,12 +28,14 @@ module glint_gauss_p16 #(
     wire [53:0] exp2_entry;
 
     glint_gauss #(
-        .F(20),
-        .T(6),
-        .L(29),
-        .E(4),
-        .S(20),
-        .O(16),
+        .F       (20),
+        .T       (6),
+        .L       (29),
+        .E       (4),
+        .S       (20),
+        .O       (16),
+        .LATENCY (15),
+        .PRODUCTS(5),
         .MULTIPLIER_STAGES(MULTIPLIER_STAGES),
         .TAG_W(TAG_W)
     ) core (
@@ -56,14 +58,14 @@ module glint_gauss_p16 #(
         .exp2_entry_i(exp2_entry)
     );
 
-    glint_gauss_p16_angle angle (
+    glint_table_half_square_angle_64_30 angle (
         .clk_i    (clk_i),
         .enable_i (table_enable),
         .address_i(angle_address),
         .entry_o  (angle_entry)
     );
 
-    glint_gauss_p16_exp2 exp2 (
+    glint_table_exp2_16_21 exp2 (
         .clk_i    (clk_i),
         .enable_i (table_enable),
         .address_i(exp2_address),
@@ -71,123 +73,5 @@ module glint_gauss_p16 #(
     );
 
 endmodule
-
-// glint_gauss_p16_angle: a read-only memory; the entry comes one enabled clock after its address.
-/* verilator lint_off DECLFILENAME */  // it has no file of its own
-module glint_gauss_p16_angle (
-    input  wire        clk_i,
-    input  wire        enable_i,
-    input  wire [5:0] address_i,
-    output reg  [73:0] entry_o
-);
-
-    always @(posedge clk_i) begin
-        if (enable_i) begin
-            case (address_i)
-                6'd0: entry_o <= {30'd0, 26'd12102137, 18'd31714};
-                6'd1: entry_o <= {30'd12133851, 26'd12165565, 18'd32116};
-                6'd2: entry_o <= {30'd24331532, 26'd12229796, 18'd32527};
-                6'd3: entry_o <= {30'd36593855, 26'd12294848, 18'd32945};
-                6'd4: entry_o <= {30'd48921648, 26'd12360737, 18'd33373};
-                6'd5: entry_o <= {30'd61315758, 26'd12427482, 18'd33809};
-                6'd6: entry_o <= {30'd73777049, 26'd12495099, 18'd34255};
-                6'd7: entry_o <= {30'd86306403, 26'd12563608, 18'd34710};
-                6'd8: entry_o <= {30'd98904721, 26'd12633027, 18'd35175};
-                6'd9: entry_o <= {30'd111572923, 26'd12703376, 18'd35650};
-                6'd10: entry_o <= {30'd124311949, 26'd12774675, 18'd36136};
-                6'd11: entry_o <= {30'd137122760, 26'd12846946, 18'd36632};
-                6'd12: entry_o <= {30'd150006338, 26'd12920208, 18'd37140};
-                6'd13: entry_o <= {30'd162963686, 26'd12994487, 18'd37658};
-                6'd14: entry_o <= {30'd175995831, 26'd13069801, 18'd38189};
-                6'd15: entry_o <= {30'd189103821, 26'd13146178, 18'd38731};
-                6'd16: entry_o <= {30'd202288730, 26'd13223638, 18'd39287};
-                6'd17: entry_o <= {30'd215551655, 26'd13302211, 18'd39855};
-                6'd18: entry_o <= {30'd228893721, 26'd13381918, 18'd40436};
-                6'd19: entry_o <= {30'd242316075, 26'd13462790, 18'd41031};
-                6'd20: entry_o <= {30'd255819896, 26'd13544850, 18'd41641};
-                6'd21: entry_o <= {30'd269406387, 26'd13628130, 18'd42265};
-                6'd22: entry_o <= {30'd283076782, 26'd13712658, 18'd42904};
-                6'd23: entry_o <= {30'd296832344, 26'd13798465, 18'd43560};
-                6'd24: entry_o <= {30'd310674369, 26'd13885582, 18'd44231};
-                6'd25: entry_o <= {30'd324604182, 26'd13974042, 18'd44919};
-                6'd26: entry_o <= {30'd338623143, 26'd14063878, 18'd45625};
-                6'd27: entry_o <= {30'd352732646, 26'd14155126, 18'd46349};
-                6'd28: entry_o <= {30'd366934121, 26'd14247820, 18'd47091};
-                6'd29: entry_o <= {30'd381229032, 26'd14341999, 18'd47853};
-                6'd30: entry_o <= {30'd395618884, 26'd14437703, 18'd48634};
-                6'd31: entry_o <= {30'd410105221, 26'd14534969, 18'd49437};
-                6'd32: entry_o <= {30'd424689627, 26'd14633840, 18'd50261};
-                6'd33: entry_o <= {30'd439373728, 26'd14734360, 18'd51108};
-                6'd34: entry_o <= {30'd454159196, 26'd14836573, 18'd51978};
-                6'd35: entry_o <= {30'd469047747, 26'd14940524, 18'd52872};
-                6'd36: entry_o <= {30'd484041143, 26'd15046265, 18'd53791};
-                6'd37: entry_o <= {30'd499141199, 26'd15153843, 18'd54736};
-                6'd38: entry_o <= {30'd514349778, 26'd15263312, 18'd55708};
-                6'd39: entry_o <= {30'd529668798, 26'd15374725, 18'd56708};
-                6'd40: entry_o <= {30'd545100231, 26'd15488137, 18'd57738};
-                6'd41: entry_o <= {30'd560646106, 26'd15603611, 18'd58798};
-                6'd42: entry_o <= {30'd576308515, 26'd15721202, 18'd59891};
-                6'd43: entry_o <= {30'd592089608, 26'd15840979, 18'd61016};
-                6'd44: entry_o <= {30'd607991603, 26'd15963006, 18'd62176};
-                6'd45: entry_o <= {30'd624016785, 26'd16087354, 18'd63371};
-                6'd46: entry_o <= {30'd640167510, 26'd16214090, 18'd64605};
-                6'd47: entry_o <= {30'd656446205, 26'd16343296, 18'd65877};
-                6'd48: entry_o <= {30'd672855378, 26'd16475046, 18'd67191};
-                6'd49: entry_o <= {30'd689397615, 26'd16609422, 18'd68548};
-                6'd50: entry_o <= {30'd706075585, 26'd16746512, 18'd69949};
-                6'd51: entry_o <= {30'd722892046, 26'd16886404, 18'd71398};
-                6'd52: entry_o <= {30'd739849848, 26'd17029194, 18'd72895};
-                6'd53: entry_o <= {30'd756951937, 26'd17174978, 18'd74444};
-                6'd54: entry_o <= {30'd774201359, 26'd17323860, 18'd76047};
-                6'd55: entry_o <= {30'd791601266, 26'd17475946, 18'd77707};
-                6'd56: entry_o <= {30'd809154919, 26'd17631353, 18'd79426};
-                6'd57: entry_o <= {30'd826865698, 26'd17790196, 18'd81207};
-                6'd58: entry_o <= {30'd844737101, 26'd17952604, 18'd83054};
-                6'd59: entry_o <= {30'd862772759, 26'd18118702, 18'd84971};
-                6'd60: entry_o <= {30'd880976432, 26'd18288635, 18'd86959};
-                6'd61: entry_o <= {30'd899352026, 26'd18462543, 18'd89025};
-                6'd62: entry_o <= {30'd917903594, 26'd18640583, 18'd91170};
-                6'd63: entry_o <= {30'd936635347, 26'd18822913, 18'd93401};
-            endcase
-        end
-    end
-
-endmodule
-/* verilator lint_on DECLFILENAME */
-
-// glint_gauss_p16_exp2: a read-only memory; the entry comes one enabled clock after its address.
-/* verilator lint_off DECLFILENAME */  // it has no file of its own
-module glint_gauss_p16_exp2 (
-    input  wire        clk_i,
-    input  wire        enable_i,
-    input  wire [3:0] address_i,
-    output reg  [53:0] entry_o
-);
-
-    always @(posedge clk_i) begin
-        if (enable_i) begin
-            case (address_i)
-                4'd0: entry_o <= {21'd1048576, 19'd342612, 14'd3852};
-                4'd1: entry_o <= {21'd1004120, 19'd350312, 14'd3688};
-                4'd2: entry_o <= {21'd961548, 19'd357692, 14'd3532};
-                4'd3: entry_o <= {21'd920782, 19'd364754, 14'd3382};
-                4'd4: entry_o <= {21'd881744, 19'd371517, 14'd3239};
-                4'd5: entry_o <= {21'd844361, 19'd377994, 14'd3102};
-                4'd6: entry_o <= {21'd808563, 19'd384194, 14'd2970};
-                4'd7: entry_o <= {21'd774282, 19'd390136, 14'd2844};
-                4'd8: entry_o <= {21'd741455, 19'd395824, 14'd2724};
-                4'd9: entry_o <= {21'd710020, 19'd401268, 14'd2608};
-                4'd10: entry_o <= {21'd679917, 19'd406486, 14'd2498};
-                4'd11: entry_o <= {21'd651091, 19'd411480, 14'd2392};
-                4'd12: entry_o <= {21'd623487, 19'd416262, 14'd2290};
-                4'd13: entry_o <= {21'd597053, 19'd420843, 14'd2193};
-                4'd14: entry_o <= {21'd571740, 19'd425228, 14'd2100};
-                4'd15: entry_o <= {21'd547500, 19'd429429, 14'd2011};
-            endcase
-        end
-    end
-
-endmodule
-/* verilator lint_on DECLFILENAME */
 
 `default_nettype wire

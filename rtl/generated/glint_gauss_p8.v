@@ -28,12 +28,14 @@ module glint_gauss_p8 #(
     wire [35:0] exp2_entry;
 
     glint_gauss #(
-        .F(16),
-        .T(4),
-        .L(21),
-        .E(2),
-        .S(12),
-        .O(8),
+        .F       (16),
+        .T       (4),
+        .L       (21),
+        .E       (2),
+        .S       (12),
+        .O       (8),
+        .LATENCY (15),
+        .PRODUCTS(5),
         .MULTIPLIER_STAGES(MULTIPLIER_STAGES),
         .TAG_W(TAG_W)
     ) core (
@@ -56,14 +58,14 @@ module glint_gauss_p8 #(
         .exp2_entry_i(exp2_entry)
     );
 
-    glint_gauss_p8_angle angle (
+    glint_table_half_square_angle_16_22 angle (
         .clk_i    (clk_i),
         .enable_i (table_enable),
         .address_i(angle_address),
         .entry_o  (angle_entry)
     );
 
-    glint_gauss_p8_exp2 exp2 (
+    glint_table_exp2_4_13 exp2 (
         .clk_i    (clk_i),
         .enable_i (table_enable),
         .address_i(exp2_address),
@@ -71,63 +73,5 @@ module glint_gauss_p8 #(
     );
 
 endmodule
-
-// glint_gauss_p8_angle: a read-only memory; the entry comes one enabled clock after its address.
-/* verilator lint_off DECLFILENAME */  // it has no file of its own
-module glint_gauss_p8_angle (
-    input  wire        clk_i,
-    input  wire        enable_i,
-    input  wire [3:0] address_i,
-    output reg  [55:0] entry_o
-);
-
-    always @(posedge clk_i) begin
-        if (enable_i) begin
-            case (address_i)
-                4'd0: entry_o <= {22'd0, 20'd189080, 14'd2020};
-                4'd1: entry_o <= {22'd191100, 20'd193120, 14'd2127};
-                4'd2: entry_o <= {22'd386347, 20'd197372, 14'd2243};
-                4'd3: entry_o <= {22'd585962, 20'd201858, 14'd2370};
-                4'd4: entry_o <= {22'd790190, 20'd206597, 14'd2509};
-                4'd5: entry_o <= {22'd999296, 20'd211614, 14'd2662};
-                4'd6: entry_o <= {22'd1213572, 20'd216934, 14'd2830};
-                4'd7: entry_o <= {22'd1433336, 20'd222593, 14'd3015};
-                4'd8: entry_o <= {22'd1658944, 20'd228620, 14'd3222};
-                4'd9: entry_o <= {22'd1890786, 20'd235060, 14'd3452};
-                4'd10: entry_o <= {22'd2129298, 20'd241960, 14'd3709};
-                4'd11: entry_o <= {22'd2374967, 20'd249374, 14'd4000};
-                4'd12: entry_o <= {22'd2628341, 20'd257368, 14'd4329};
-                4'd13: entry_o <= {22'd2890038, 20'd266019, 14'd4704};
-                4'd14: entry_o <= {22'd3160761, 20'd275419, 14'd5134};
-                4'd15: entry_o <= {22'd3441314, 20'd285678, 14'd5632};
-            endcase
-        end
-    end
-
-endmodule
-/* verilator lint_on DECLFILENAME */
-
-// glint_gauss_p8_exp2: a read-only memory; the entry comes one enabled clock after its address.
-/* verilator lint_off DECLFILENAME */  // it has no file of its own
-module glint_gauss_p8_exp2 (
-    input  wire        clk_i,
-    input  wire        enable_i,
-    input  wire [1:0] address_i,
-    output reg  [35:0] entry_o
-);
-
-    always @(posedge clk_i) begin
-        if (enable_i) begin
-            case (address_i)
-                2'd0: entry_o <= {13'd4096, 13'd5358, 10'd226};
-                2'd1: entry_o <= {13'd3444, 13'd5810, 10'd190};
-                2'd2: entry_o <= {13'd2896, 13'd6188, 10'd160};
-                2'd3: entry_o <= {13'd2435, 13'd6510, 10'd134};
-            endcase
-        end
-    end
-
-endmodule
-/* verilator lint_on DECLFILENAME */
 
 `default_nettype wire

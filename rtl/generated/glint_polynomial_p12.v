@@ -32,6 +32,8 @@ module glint_polynomial_p12 #(
         .VARIABLE    (1),
         .DEGREE      (3),
         .COEFFICIENTS({-18'sd50273, 18'sd94326, -18'sd11285, 18'sd0}),
+        .LATENCY     (9),
+        .PRODUCTS    (4),
         .DIVIDER(DIVIDER),
         .REGISTER_EVERY(REGISTER_EVERY),
         .MULTIPLIER_STAGES(MULTIPLIER_STAGES),

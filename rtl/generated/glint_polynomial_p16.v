@@ -32,6 +32,8 @@ module glint_polynomial_p16 #(
         .VARIABLE    (1),
         .DEGREE      (3),
         .COEFFICIENTS({-22'sd804363, 22'sd1509215, -22'sd180565, 22'sd0}),
+        .LATENCY     (9),
+        .PRODUCTS    (4),
         .DIVIDER(DIVIDER),
         .REGISTER_EVERY(REGISTER_EVERY),
         .MULTIPLIER_STAGES(MULTIPLIER_STAGES),

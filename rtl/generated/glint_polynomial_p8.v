@@ -32,6 +32,8 @@ module glint_polynomial_p8 #(
         .VARIABLE    (1),
         .DEGREE      (3),
         .COEFFICIENTS({-14'sd3142, 14'sd5895, -14'sd705, 14'sd0}),
+        .LATENCY     (9),
+        .PRODUCTS    (4),
         .DIVIDER(DIVIDER),
         .REGISTER_EVERY(REGISTER_EVERY),
         .MULTIPLIER_STAGES(MULTIPLIER_STAGES),

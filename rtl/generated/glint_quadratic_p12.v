@@ -22,11 +22,13 @@ module glint_quadratic_p12 #(
 );
 
     glint_quadratic #(
-        .F    (18),
-        .S    (13),
-        .K    (14),
-        .O    (12),
-        .SLOPE(14'd12878),
+        .F       (18),
+        .S       (13),
+        .K       (14),
+        .O       (12),
+        .SLOPE   (14'd12878),
+        .LATENCY (6),
+        .PRODUCTS(3),
         .MULTIPLIER_STAGES(MULTIPLIER_STAGES),
         .TAG_W(TAG_W)
     ) core (

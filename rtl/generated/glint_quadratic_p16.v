@@ -22,11 +22,13 @@ module glint_quadratic_p16 #(
 );
 
     glint_quadratic #(
-        .F    (20),
-        .S    (17),
-        .K    (18),
-        .O    (16),
-        .SLOPE(18'd206045),
+        .F       (20),
+        .S       (17),
+        .K       (18),
+        .O       (16),
+        .SLOPE   (18'd206045),
+        .LATENCY (6),
+        .PRODUCTS(3),
         .MULTIPLIER_STAGES(MULTIPLIER_STAGES),
         .TAG_W(TAG_W)
     ) core (

@@ -22,11 +22,13 @@ module glint_quadratic_p8 #(
 );
 
     glint_quadratic #(
-        .F    (16),
-        .S    (9),
-        .K    (10),
-        .O    (8),
-        .SLOPE(10'd805),
+        .F       (16),
+        .S       (9),
+        .K       (10),
+        .O       (8),
+        .SLOPE   (10'd805),
+        .LATENCY (6),
+        .PRODUCTS(3),
         .MULTIPLIER_STAGES(MULTIPLIER_STAGES),
         .TAG_W(TAG_W)
     ) core (

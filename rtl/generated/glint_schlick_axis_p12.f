@@ -1,15 +1,15 @@
 // The files of glint_schlick_axis_p12, for `verilator -f` and `iverilog -f`. GLINT_RTL in the environment is the folder rtl/ of Glint.
-$(GLINT_RTL)/glint_skid.v
-$(GLINT_RTL)/glint_axis.v
-$(GLINT_RTL)/glint_delay.v
-$(GLINT_RTL)/glint_ports.v
-$(GLINT_RTL)/glint_multiplier.v
-$(GLINT_RTL)/glint_divider_restoring.v
-$(GLINT_RTL)/glint_divider_radix4.v
-$(GLINT_RTL)/glint_divider_iterative.v
-$(GLINT_RTL)/glint_divider_reciprocal.v
-$(GLINT_RTL)/glint_divider.v
-$(GLINT_RTL)/glint_ratio.v
-$(GLINT_RTL)/glint_schlick.v
+$(GLINT_RTL)/blocks/glint_skid.v
+$(GLINT_RTL)/blocks/glint_axis.v
+$(GLINT_RTL)/blocks/glint_delay.v
+$(GLINT_RTL)/blocks/glint_ports.v
+$(GLINT_RTL)/blocks/glint_multiplier.v
+$(GLINT_RTL)/blocks/glint_divider_restoring.v
+$(GLINT_RTL)/blocks/glint_divider_radix4.v
+$(GLINT_RTL)/blocks/glint_divider_iterative.v
+$(GLINT_RTL)/blocks/glint_divider_reciprocal.v
+$(GLINT_RTL)/blocks/glint_divider.v
+$(GLINT_RTL)/blocks/glint_ratio.v
+$(GLINT_RTL)/lobes/glint_schlick.v
 $(GLINT_RTL)/generated/glint_schlick_p12.v
 $(GLINT_RTL)/generated/glint_schlick_axis_p12.v

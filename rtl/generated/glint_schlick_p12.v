@@ -24,8 +24,10 @@ module glint_schlick_p12 #(
 );
 
     glint_schlick #(
-        .F(18),
-        .O(12),
+        .F       (18),
+        .O       (12),
+        .LATENCY (4),
+        .PRODUCTS(1),
         .DIVIDER(DIVIDER),
         .REGISTER_EVERY(REGISTER_EVERY),
         .MULTIPLIER_STAGES(MULTIPLIER_STAGES),

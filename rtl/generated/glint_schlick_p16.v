@@ -24,8 +24,10 @@ module glint_schlick_p16 #(
 );
 
     glint_schlick #(
-        .F(20),
-        .O(16),
+        .F       (20),
+        .O       (16),
+        .LATENCY (4),
+        .PRODUCTS(1),
         .DIVIDER(DIVIDER),
         .REGISTER_EVERY(REGISTER_EVERY),
         .MULTIPLIER_STAGES(MULTIPLIER_STAGES),

@@ -24,8 +24,10 @@ module glint_schlick_p8 #(
 );
 
     glint_schlick #(
-        .F(16),
-        .O(8),
+        .F       (16),
+        .O       (8),
+        .LATENCY (4),
+        .PRODUCTS(1),
         .DIVIDER(DIVIDER),
         .REGISTER_EVERY(REGISTER_EVERY),
         .MULTIPLIER_STAGES(MULTIPLIER_STAGES),

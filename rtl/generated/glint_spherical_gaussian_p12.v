@@ -26,13 +26,15 @@ module glint_spherical_gaussian_p12 #(
     wire [44:0] exp2_entry;
 
     glint_spherical_gaussian #(
-        .F(18),
-        .K(13),
-        .E(3),
-        .S(16),
-        .O(12),
-        .A(14'd11819),
-        .B(14'd9159),
+        .F       (18),
+        .K       (13),
+        .E       (3),
+        .S       (16),
+        .O       (12),
+        .A       (14'd11819),
+        .B       (14'd9159),
+        .LATENCY (12),
+        .PRODUCTS(4),
         .MULTIPLIER_STAGES(MULTIPLIER_STAGES),
         .TAG_W(TAG_W)
     ) core (
@@ -53,7 +55,7 @@ module glint_spherical_gaussian_p12 #(
         .exp2_entry_i(exp2_entry)
     );
 
-    glint_spherical_gaussian_p12_exp2 exp2 (
+    glint_table_exp2_8_17 exp2 (
         .clk_i    (clk_i),
         .enable_i (table_enable),
         .address_i(exp2_address),
@@ -61,32 +63,5 @@ module glint_spherical_gaussian_p12 #(
     );
 
 endmodule
-
-// glint_spherical_gaussian_p12_exp2: a read-only memory; the entry comes one enabled clock after its address.
-/* verilator lint_off DECLFILENAME */  // it has no file of its own
-module glint_spherical_gaussian_p12_exp2 (
-    input  wire        clk_i,
-    input  wire        enable_i,
-    input  wire [2:0] address_i,
-    output reg  [44:0] entry_o
-);
-
-    always @(posedge clk_i) begin
-        if (enable_i) begin
-            case (address_i)
-                3'd0: entry_o <= {17'd65536, 16'd42838, 12'd942};
-                3'd1: entry_o <= {17'd60097, 16'd44720, 12'd864};
-                3'd2: entry_o <= {17'd55109, 16'd46448, 12'd792};
-                3'd3: entry_o <= {17'd50535, 16'd48033, 12'd727};
-                3'd4: entry_o <= {17'd46341, 16'd49486, 12'd666};
-                3'd5: entry_o <= {17'd42495, 16'd50817, 12'd611};
-                3'd6: entry_o <= {17'd38968, 16'd52040, 12'd560};
-                3'd7: entry_o <= {17'd35734, 16'd53158, 12'd514};
-            endcase
-        end
-    end
-
-endmodule
-/* verilator lint_on DECLFILENAME */
 
 `default_nettype wire

@@ -26,13 +26,15 @@ module glint_spherical_gaussian_p16 #(
     wire [53:0] exp2_entry;
 
     glint_spherical_gaussian #(
-        .F(20),
-        .K(17),
-        .E(4),
-        .S(20),
-        .O(16),
-        .A(18'd189097),
-        .B(18'd146550),
+        .F       (20),
+        .K       (17),
+        .E       (4),
+        .S       (20),
+        .O       (16),
+        .A       (18'd189097),
+        .B       (18'd146550),
+        .LATENCY (12),
+        .PRODUCTS(4),
         .MULTIPLIER_STAGES(MULTIPLIER_STAGES),
         .TAG_W(TAG_W)
     ) core (
@@ -53,7 +55,7 @@ module glint_spherical_gaussian_p16 #(
         .exp2_entry_i(exp2_entry)
     );
 
-    glint_spherical_gaussian_p16_exp2 exp2 (
+    glint_table_exp2_16_21 exp2 (
         .clk_i    (clk_i),
         .enable_i (table_enable),
         .address_i(exp2_address),
@@ -61,40 +63,5 @@ module glint_spherical_gaussian_p16 #(
     );
 
 endmodule
-
-// glint_spherical_gaussian_p16_exp2: a read-only memory; the entry comes one enabled clock after its address.
-/* verilator lint_off DECLFILENAME */  // it has no file of its own
-module glint_spherical_gaussian_p16_exp2 (
-    input  wire        clk_i,
-    input  wire        enable_i,
-    input  wire [3:0] address_i,
-    output reg  [53:0] entry_o
-);
-
-    always @(posedge clk_i) begin
-        if (enable_i) begin
-            case (address_i)
-                4'd0: entry_o <= {21'd1048576, 19'd342612, 14'd3852};
-                4'd1: entry_o <= {21'd1004120, 19'd350312, 14'd3688};
-                4'd2: entry_o <= {21'd961548, 19'd357692, 14'd3532};
-                4'd3: entry_o <= {21'd920782, 19'd364754, 14'd3382};
-                4'd4: entry_o <= {21'd881744, 19'd371517, 14'd3239};
-                4'd5: entry_o <= {21'd844361, 19'd377994, 14'd3102};
-                4'd6: entry_o <= {21'd808563, 19'd384194, 14'd2970};
-                4'd7: entry_o <= {21'd774282, 19'd390136, 14'd2844};
-                4'd8: entry_o <= {21'd741455, 19'd395824, 14'd2724};
-                4'd9: entry_o <= {21'd710020, 19'd401268, 14'd2608};
-                4'd10: entry_o <= {21'd679917, 19'd406486, 14'd2498};
-                4'd11: entry_o <= {21'd651091, 19'd411480, 14'd2392};
-                4'd12: entry_o <= {21'd623487, 19'd416262, 14'd2290};
-                4'd13: entry_o <= {21'd597053, 19'd420843, 14'd2193};
-                4'd14: entry_o <= {21'd571740, 19'd425228, 14'd2100};
-                4'd15: entry_o <= {21'd547500, 19'd429429, 14'd2011};
-            endcase
-        end
-    end
-
-endmodule
-/* verilator lint_on DECLFILENAME */
 
 `default_nettype wire

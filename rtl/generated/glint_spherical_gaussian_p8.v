@@ -26,13 +26,15 @@ module glint_spherical_gaussian_p8 #(
     wire [35:0] exp2_entry;
 
     glint_spherical_gaussian #(
-        .F(16),
-        .K(9),
-        .E(2),
-        .S(12),
-        .O(8),
-        .A(10'd739),
-        .B(10'd572),
+        .F       (16),
+        .K       (9),
+        .E       (2),
+        .S       (12),
+        .O       (8),
+        .A       (10'd739),
+        .B       (10'd572),
+        .LATENCY (12),
+        .PRODUCTS(4),
         .MULTIPLIER_STAGES(MULTIPLIER_STAGES),
         .TAG_W(TAG_W)
     ) core (
@@ -53,7 +55,7 @@ module glint_spherical_gaussian_p8 #(
         .exp2_entry_i(exp2_entry)
     );
 
-    glint_spherical_gaussian_p8_exp2 exp2 (
+    glint_table_exp2_4_13 exp2 (
         .clk_i    (clk_i),
         .enable_i (table_enable),
         .address_i(exp2_address),
@@ -61,28 +63,5 @@ module glint_spherical_gaussian_p8 #(
     );
 
 endmodule
-
-// glint_spherical_gaussian_p8_exp2: a read-only memory; the entry comes one enabled clock after its address.
-/* verilator lint_off DECLFILENAME */  // it has no file of its own
-module glint_spherical_gaussian_p8_exp2 (
-    input  wire        clk_i,
-    input  wire        enable_i,
-    input  wire [1:0] address_i,
-    output reg  [35:0] entry_o
-);
-
-    always @(posedge clk_i) begin
-        if (enable_i) begin
-            case (address_i)
-                2'd0: entry_o <= {13'd4096, 13'd5358, 10'd226};
-                2'd1: entry_o <= {13'd3444, 13'd5810, 10'd190};
-                2'd2: entry_o <= {13'd2896, 13'd6188, 10'd160};
-                2'd3: entry_o <= {13'd2435, 13'd6510, 10'd134};
-            endcase
-        end
-    end
-
-endmodule
-/* verilator lint_on DECLFILENAME */
 
 `default_nettype wire

@@ -22,11 +22,13 @@ module glint_taylor_p12 #(
 );
 
     glint_taylor #(
-        .F(18),
-        .A(16),
-        .E(24),
-        .S(18),
-        .O(12),
+        .F       (18),
+        .A       (16),
+        .E       (24),
+        .S       (18),
+        .O       (12),
+        .LATENCY (16),
+        .PRODUCTS(7),
         .MULTIPLIER_STAGES(MULTIPLIER_STAGES),
         .TAG_W(TAG_W)
     ) core (

@@ -22,11 +22,13 @@ module glint_taylor_p16 #(
 );
 
     glint_taylor #(
-        .F(20),
-        .A(16),
-        .E(30),
-        .S(22),
-        .O(16),
+        .F       (20),
+        .A       (16),
+        .E       (30),
+        .S       (22),
+        .O       (16),
+        .LATENCY (16),
+        .PRODUCTS(7),
         .MULTIPLIER_STAGES(MULTIPLIER_STAGES),
         .TAG_W(TAG_W)
     ) core (

@@ -22,11 +22,13 @@ module glint_taylor_p8 #(
 );
 
     glint_taylor #(
-        .F(16),
-        .A(16),
-        .E(20),
-        .S(14),
-        .O(8),
+        .F       (16),
+        .A       (16),
+        .E       (20),
+        .S       (14),
+        .O       (8),
+        .LATENCY (16),
+        .PRODUCTS(7),
         .MULTIPLIER_STAGES(MULTIPLIER_STAGES),
         .TAG_W(TAG_W)
     ) core (

@@ -139,8 +139,7 @@ TEST_CASE("latency and interval come from a simulation whose results are right")
     const Lobe& lobe = find_lobe("schlick");
     const Profile profile = parse_profile("p8");
     const auto model = lobe.golden(profile);
-    const Source wrapper{"glint_schlick_p8.v", read_file(rtl / "generated" / "glint_schlick_p8.v")};
-    const std::vector<Source> sources = with_dependencies(rtl, {wrapper});
+    const std::vector<Source> sources = read_sources(rtl, design_of(lobe.emit(profile, default_architecture(lobe))));
     const Unit unit = lobe_unit("glint_schlick_p8", profile, 1);
     std::vector<Exchange> burst = exchanges(*model, {{50, 64225}, {0, 5}, {7, -3}, {1023, profile.one()}});
     const Clocks clocks = flow.count_clocks(sources, unit, burst);
@@ -150,16 +149,17 @@ TEST_CASE("latency and interval come from a simulation whose results are right")
     CHECK_THROWS_WITH(flow.count_clocks(sources, unit, burst), "glint_schlick_p8 has a wrong result: n_i 7, cos_i -3");
 }
 
-TEST_CASE("the files of a unit are those that it instantiates") {
-    const Source wrapper{"glint_bps_p12.v", read_file(rtl / "generated" / "glint_bps_p12.v")};
+TEST_CASE("the files of a unit are those of its description") {
+    const Lobe& lobe = find_lobe("bps");
+    const Design design = design_of(lobe.emit(parse_profile("p12"), default_architecture(lobe)));
     std::vector<std::string> names;
-    for (const Source& source : with_dependencies(rtl, {wrapper})) names.push_back(source.name);
+    for (const Source& source : read_sources(rtl, design)) names.push_back(source.name);
     CHECK(std::find(names.begin(), names.end(), "glint_bps.v") != names.end());
     CHECK(std::find(names.begin(), names.end(), "glint_divider.v") != names.end());
     CHECK(std::find(names.begin(), names.end(), "glint_axis.v") == names.end());
     CHECK(names.back() == "glint_bps_p12.v");
     const TemporaryFolder empty;
-    CHECK_THROWS_AS(with_dependencies(empty.path(), {wrapper}), Error);
+    CHECK_THROWS_AS(read_sources(empty.path(), design), Error);
 }
 
 TEST_CASE("a cell without a price is refused") {
@@ -254,7 +254,7 @@ TEST_CASE("units of effects: those they are made of beside them, MASK set, and r
     }
     CHECK(different > 64);
     std::vector<std::string> names;
-    for (const Source& source : with_dependencies(rtl, units[0].files)) names.push_back(source.name);
+    for (const Source& source : read_sources(rtl, units[0].design)) names.push_back(source.name);
     for (const char* file : {"glint_effect_lambert_p12.v", "glint_bps_p12.v", "glint_bps.v", "glint_fifo.v"}) {
         CAPTURE(file);
         CHECK(std::count(names.begin(), names.end(), file) == 1);
@@ -272,7 +272,7 @@ TEST_CASE("the table is the best of its size, and its model and its memory agree
     CHECK(format.n_bits + format.cos_bits == 13);  // 8192 x 8 bits: 16 of 30 block RAMs
     const auto model = table_model(profile, format);
     CHECK(model->eval_port(1, profile.one()).y <= 255);
-    const std::vector<Source> unit = table_unit(profile, format);
+    const Design unit = table_unit(profile, format);
     const std::vector<Exchange> burst = exchanges(*model, {{1, 0},
                                                            {1, profile.one()},
                                                            {1023, profile.one()},
@@ -281,8 +281,7 @@ TEST_CASE("the table is the best of its size, and its model and its memory agree
                                                            {0, 44444},
                                                            {700, -1},
                                                            {2, profile.one() + 1}});
-    const Clocks clocks =
-        flow.count_clocks(with_dependencies(rtl, unit), lobe_unit("glint_table_p8", profile, 1), burst);
+    const Clocks clocks = flow.count_clocks(read_sources(rtl, unit), lobe_unit("glint_table_p8", profile, 1), burst);
     CHECK(clocks.latency == 3);
     CHECK(clocks.interval == 1);
 }

@@ -4,7 +4,7 @@
     docs_tables.py            fails where one is not current
     docs_tables.py --write    writes them
 
-A table stands between `<!-- ports of UNIT -->` or `<!-- units of LOBE or EFFECT -->` and `<!-- end -->`; in UNIT, P stands
+A table stands between `<!-- ports of UNIT -->` or `<!-- units of LOBE -->`, `<!-- units of effect_EFFECT -->` and `<!-- end -->`; in UNIT, P stands
 for the profile.
 """
 
@@ -43,8 +43,13 @@ def ports(every, name):
     return table(["port", "direction", *heads, "meaning"], ["---", "---", *["--:"] * len(shown), "---"], rows)
 
 
+def about(unit):
+    """What a table of units is of. The AXI4-Stream units are in none: they take two clocks more."""
+    return {"lobe": unit["lobe"], "lobe_axis": None, "effect": f"effect_{unit['effect']}"}[unit["kind"]]
+
+
 def of(every, name):
-    names = {re.sub(r"_p\d+$", "_P", unit["name"]): None for unit in every.values() if name in (unit["effect"] or unit["lobe"],)}
+    names = {re.sub(r"_p\d+$", "_P", unit["name"]): None for unit in every.values() if about(unit) == name}
     if not names:
         raise ValueError(f"'{name}' is no lobe or effect of rtl/units.json")
     rows = []
@@ -65,15 +70,20 @@ def main():
     every = units()
     write = sys.argv[1:] == ["--write"]
     done = stale = 0
+    shown = set()
     for page in sorted(DOCS.rglob("*.md")):
         text = page.read_text()
-        made = MARKED.sub(lambda m: m[1] + (ports if m[2] == "ports" else of)(every, m[3]) + m[4], text)
+        made = MARKED.sub(lambda m: m[1] + (ports if m[2] == "ports" else of)(every, m[3]) + m[5], text)
         done += len(MARKED.findall(text))
         if made != text and write:
             page.write_text(made)
         elif made != text:
             print(f"FAILED: {page.relative_to(RTL.parent)}: its tables are not those of rtl/units.json: docs_tables.py --write")
             stale += 1
+        shown.update(m[3] for m in MARKED.finditer(text) if m[2] == "units")
+    for name in sorted({about(unit) for unit in every.values()} - {None} - shown):
+        print(f"FAILED: no document has `<!-- units of {name} -->`")
+        stale += 1
     print(f"{done} tables, {stale} pages that are not current")
     return 1 if stale or not done else 0
 

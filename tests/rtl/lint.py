@@ -38,10 +38,9 @@ MODULES = {
     "glint_ports": ("F LATENCY PRODUCTS QUOTIENT_W DIVIDER REGISTER_EVERY MULTIPLIER_STAGES TAG_W",
                     ((8, 2, 0, 0, 0, 1, 1, 1), (18, 9, 4, 16, 0, 3, 3, 17), (30, 9, 0, 31, 1, 1, 1, 64),
                      (18, 9, 4, 16, 2, 1, 1, 1), (18, 9, 4, 16, 3, 1, 4, 16))),
-    "glint_ratio": ("F S DIVIDER MULTIPLIER_STAGES", [(F, S, d, 1 + d) for F, S in ((8, 1), (8, 30), (18, 15), (30, 1), (30, 30))
-                                                      for d in range(4)]),
-    "glint_ratio_symmetric": ("F S DIVIDER MULTIPLIER_STAGES", [(F, S, d, 1 + d) for F, S in ((8, 1), (18, 15), (30, 30))
-                                                                for d in range(4)]),
+    "glint_ratio": ("F S SYMMETRIC DIVIDER MULTIPLIER_STAGES",
+                    [(F, S, symmetric, d, 1 + d) for F, S in ((8, 1), (8, 30), (18, 15), (30, 1), (30, 30))
+                     for symmetric in (0, 1) for d in range(4)]),
     "glint_power": ("S O SQUARES CHOICE MULTIPLIER_STAGES", ((4, 4, 2, 1, 1), (30, 28, 2, 1, 4), (30, 4, 2, 1, 1),
                                                              (17, 12, 0, 0, 2), (17, 12, 5, 0, 1))),
     "glint_log2": ("F T L CUT MULTIPLIER_STAGES", ((8, 4, 9, 0, 1), (18, 5, 25, 0, 3), (30, 10, 31, 0, 1), (30, 4, 40, 0, 2),
@@ -59,6 +58,7 @@ MODULES = {
     "glint_effect_highlight": ("F O TAG_W", ((8, 4, 1), (30, 28, 64))),
     "glint_effect_ambient": ("O TAG_W", ((4, 1), (27, 64))),
     "glint_effect_tint": ("O TAG_W", ((4, 1), (16, 64))),
+    "glint_microfacets": ("F S", ((11, 12), (25, 20))),
     "glint_attenuation": ("F T L", ((11, 4, 17), (17, 4, 17), (18, 5, 21), (25, 6, 25))),
     "glint_scaled_power": (
         "I_W E S K BELOW O", ((10, 2, 12, 12, 0, 8), (8, 2, 12, 13, 13, 8), (10, 4, 20, 20, 0, 16), (8, 4, 20, 21, 21, 16))),

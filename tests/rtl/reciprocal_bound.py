@@ -11,7 +11,7 @@ import re
 import sys
 from pathlib import Path
 
-SOURCE = Path(__file__).resolve().parents[2] / "rtl/glint_divider_reciprocal.v"
+SOURCE = Path(__file__).resolve().parents[2] / "rtl/blocks/glint_divider_reciprocal.v"
 
 
 def widths(K):

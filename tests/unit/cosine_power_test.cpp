@@ -41,7 +41,7 @@ void plain(const Format& f, int n, std::int64_t C, Plain& x) {
     x.p.pop_back();
 }
 
-/// The widths that rtl/glint_cosine_power.v and hls/lobes/glint_cosine_power.hpp declare.
+/// The widths that rtl/lobes/glint_cosine_power.v and hls/lobes/glint_cosine_power.hpp declare.
 bool fits(const Format& f, const Plain& x) {
     const auto power = [&](std::int64_t p) { return unsigned_bits(p, f.S + 1) && p <= std::int64_t{1} << f.S; };
     const auto sum = [&](std::int64_t s) { return unsigned_bits(s, 2 * f.S + 1); };

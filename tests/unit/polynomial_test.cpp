@@ -39,7 +39,7 @@ Plain plain(const Format& f, int n, std::int64_t C) {
     return x;
 }
 
-/// The widths that rtl/glint_polynomial.v, rtl/glint_ratio_symmetric.v and hls/lobes/glint_polynomial.hpp declare, I
+/// The widths that rtl/lobes/glint_polynomial.v, rtl/blocks/glint_ratio.v and hls/lobes/glint_polynomial.hpp declare, I
 /// = 2.
 bool fits(const Format& f, const Plain& x) {
     const int h = f.K + 3, sum = h + f.S;

@@ -35,7 +35,7 @@ Plain plain(const Format& f, int n, std::int64_t C) {
     return x;
 }
 
-/// The widths that rtl/glint_quadratic.v and hls/lobes/glint_quadratic.hpp declare.
+/// The widths that rtl/lobes/glint_quadratic.v and hls/lobes/glint_quadratic.hpp declare.
 bool fits(const Format& f, const Plain& x) {
     const std::int64_t end = std::int64_t{1} << (f.F + f.K + 10);  // of the signed word of the line
     return unsigned_bits(f.slope, f.K) && unsigned_bits(x.scaled, f.K + 10) &&

@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "glint/manifest.hpp"
 
@@ -15,5 +16,12 @@ struct GeneratedFile {
     std::string text;
     std::optional<HardwareUnit> unit{};  ///< where it is the top module of one
 };
+
+/// The Verilog that is committed in rtl/generated: the units of all lobes and effects at the shipped profiles, effects
+/// made of a lobe with the first one, AXI4-Stream units at p12; and what they are made of. Each file once.
+std::vector<GeneratedFile> committed_verilog();
+
+/// The units among these files.
+std::vector<HardwareUnit> units_of(const std::vector<GeneratedFile>& files);
 
 }  // namespace glint

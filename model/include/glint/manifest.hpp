@@ -71,8 +71,7 @@ std::string manifest(std::span<const HardwareUnit> units, const FileRoots& roots
 /// A list of the files of a unit, one a line, for `verilator -f` and `iverilog -f`.
 std::string file_list(const HardwareUnit& unit, const FileRoots& roots);
 
-/// The units whose wrappers are committed: all lobes and effects at the shipped profiles, effects made of a lobe with
-/// the first lobe, AXI4-Stream units at p12.
-std::vector<HardwareUnit> committed_units();
+/// The files of a module that units share, and of all that it contains.
+std::vector<HardwareUnit::File> module_files(std::string_view module);
 
 }  // namespace glint

@@ -159,14 +159,15 @@ std::vector<GeneratedFile> emit(const Profile& profile, std::string_view) {
     const Format& f = model.format();
     std::vector<Table> memories = microfacets::memories(f.attenuation, f.power);
     memories.insert(memories.begin() + 4, f.log2_q.table("log2_q"));
-    return {effect_wrapper(model,
-                           {{block::stream(), block::step(3), block::sqrt(f.w.S + 9), block::step(3),
-                             block::divider(f.w.S + 1), block::square(), block::scaled_power_factor()},
-                            {"glint_dot", "glint_delay", "glint_log2", "glint_attenuation"}},
-                           microfacets::parameters(profile, f.w), memories),
-            effect_top(model),
-            effect_constants(model, microfacets::constants(profile, f.w),
-                             {f.attenuation.log2.table(), f.power.exp2.table()})};
+    return with_tables({effect_wrapper(model,
+                                       {{block::stream(), block::step(3), block::sqrt(f.w.S + 9), block::step(3),
+                                         block::divider(f.w.S + 1), block::square(), block::scaled_power_factor()},
+                                        {"glint_microfacets", "glint_delay", "glint_log2", "glint_attenuation"}},
+                                       microfacets::parameters(profile, f.w), memories),
+                        effect_top(model),
+                        effect_constants(model, microfacets::constants(profile, f.w),
+                                         {f.attenuation.log2.table(), f.power.exp2.table()})},
+                       memories);
 }
 
 std::vector<EffectCase> cases(const EffectModel& model) {

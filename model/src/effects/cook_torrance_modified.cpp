@@ -127,14 +127,16 @@ std::unique_ptr<EffectModel> make(const Profile& profile, std::string_view) {
 std::vector<GeneratedFile> emit(const Profile& profile, std::string_view) {
     const CookTorranceModified model(profile);
     const Format& f = model.format();
-    return {
-        effect_wrapper(model,
-                       {{block::stream(), block::step(), block::attenuation(), block::step(2), block::scaled_power()},
-                        {"glint_dot", "glint_delay"}},
-                       microfacets::parameters(profile, f.w), microfacets::memories(f.attenuation, f.power)),
-        effect_top(model),
-        effect_constants(model, microfacets::constants(profile, f.w),
-                         {f.attenuation.log2.table(), f.power.exp2.table()})};
+    const std::vector<Table> memories = microfacets::memories(f.attenuation, f.power);
+    return with_tables(
+        {effect_wrapper(model,
+                        {{block::stream(), block::step(), block::attenuation(), block::step(2), block::scaled_power()},
+                         {"glint_microfacets", "glint_delay"}},
+                        microfacets::parameters(profile, f.w), memories),
+         effect_top(model),
+         effect_constants(model, microfacets::constants(profile, f.w),
+                          {f.attenuation.log2.table(), f.power.exp2.table()})},
+        memories);
 }
 
 std::vector<EffectCase> cases(const EffectModel& model) {

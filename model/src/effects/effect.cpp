@@ -95,7 +95,7 @@ Kernel kernel(const EffectModel& model) {
 }  // namespace
 
 GeneratedFile effect_module(const EffectModel& model, std::string_view lobe, const Hardware& hardware,
-                            std::string_view core, std::string_view body, std::string_view others) {
+                            std::string_view core, std::string_view body) {
     const Profile& profile = model.profile();
     const std::string module = effect_module_name(model, lobe);
     HardwareUnit unit = described(model, lobe, hardware, core);
@@ -134,10 +134,10 @@ module {0} #(
 
 {5}
 endmodule
-{6}
+
 `default_nettype wire
 )",
-                        module, model.effect(), profile.argument(), choice, ports, body, others),
+                        module, model.effect(), profile.argument(), choice, ports, body),
             std::move(unit)};
 }
 
@@ -160,13 +160,12 @@ GeneratedFile effect_wrapper(const EffectModel& model, const Hardware& hardware,
     for (const std::string& name : names) {
         connections += fmt::format("{}        .{:{}}({})", connections.empty() ? "" : ",\n", name, name_width, name);
     }
-    const TableText memories = table_text(effect_module_name(model, ""), tables);
+    const TableText memories = table_text(tables);
     const std::string core = fmt::format("glint_effect_{}", model.effect());
     GeneratedFile file =
         effect_module(model, "", hardware, core,
                       fmt::format("{}    glint_effect_{} #(\n{}    ) core (\n{}{}\n    );\n{}", memories.wires,
-                                  model.effect(), values, connections, memories.ports, memories.instances),
-                      memories.roms);
+                                  model.effect(), values, connections, memories.ports, memories.instances));
     describe(*file.unit, parameters, tables);
     return file;
 }
@@ -176,13 +175,14 @@ std::vector<GeneratedFile> made_of(GeneratedFile file, std::vector<GeneratedFile
     HardwareUnit& unit = *file.unit;
     std::vector<HardwareUnit::File> files;
     for (const GeneratedFile& part : parts) {
-        if (part.unit) add_files(files, part.unit->files);
+        if (part.unit && part.unit->kind != "lobe_axis") add_files(files, part.unit->files);
     }
     add_files(files, unit.files);
     unit.files = std::move(files);
     unit.architectures = {timing};
     std::vector<GeneratedFile> out{std::move(file)};
     for (GeneratedFile& part : parts) {
+        if (part.unit && part.unit->kind == "lobe_axis") continue;
         const bool there =
             std::any_of(out.begin(), out.end(), [&](const GeneratedFile& f) { return f.name == part.name; });
         if (part.target == GeneratedFile::Target::verilog && !there) out.push_back(std::move(part));

@@ -36,10 +36,10 @@ void check_output_bits(std::string_view effect, const Profile& profile, int grea
 /// glint_effect_<effect>_<profile>, or glint_effect_<effect>_<lobe>_<profile> where `lobe` is not empty.
 std::string effect_module_name(const EffectModel& model, std::string_view lobe);
 
-/// The Verilog module of that name, with the ports of the model around `body` (lines that end with a line feed), and
-/// the modules `others` after it. `core` is the module by hand inside.
+/// The Verilog module of that name, with the ports of the model around `body` (lines that end with a line feed). `core`
+/// is the module by hand inside.
 GeneratedFile effect_module(const EffectModel& model, std::string_view lobe, const Hardware& hardware,
-                            std::string_view core, std::string_view body, std::string_view others = "");
+                            std::string_view core, std::string_view body);
 
 /// The Verilog wrapper glint_effect_<effect>_<profile>: effect_module with the module glint_effect_<effect> inside.
 /// `parameters` are its parameters beside TAG_W, its ports are those of the model; the tables stand beside it as with a

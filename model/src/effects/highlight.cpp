@@ -58,7 +58,7 @@ std::vector<GeneratedFile> emit_highlight(std::string_view effect, std::string_v
     const Choice choice = choose(profile, lobe);
     const Profile& p = choice.profile;
     const Highlight model(effect, cosine, p, choice.lobe->golden(p));
-    std::vector<GeneratedFile> parts{choice.lobe->emit(p, default_architecture(*choice.lobe)).front()};
+    std::vector<GeneratedFile> parts = choice.lobe->emit(p, default_architecture(*choice.lobe));
     const HardwareUnit unit = *parts.front().unit;
     GeneratedFile file = effect_module(model, choice.lobe->name, {}, "glint_effect_highlight",
                                        fmt::format(R"(    wire [TAG_W+1:0] tag_in, tag_out;

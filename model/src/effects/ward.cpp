@@ -154,21 +154,24 @@ std::vector<GeneratedFile> emit_ward(const Profile& profile, std::string_view) {
     const Ward model(profile);
     const WardFormat& f = model.format();
     const auto text = [](int value) { return std::to_string(value); };
-    return {effect_wrapper(model,
-                           {{block::stream(), block::step(6), block::divider(f.S + 7), block::step(), block::exp2(),
-                             block::step()},
-                            {"glint_dot", "glint_delay", "glint_log2"}},
-                           {{"F", text(f.F), ""}, {"T", text(f.T), ""}, {"E", text(f.E), ""}, {"O", text(f.O), ""}},
-                           {named("log2_nl", f.log2.table()), named("log2_nv", f.log2.table()), f.exp2.table()}),
-            effect_top(model),
-            effect_constants(model,
-                             {{"int F", text(f.F), "fraction bits of the dot products"},
-                              {"int T", text(f.T), "address bits of log2"},
-                              {"int L", text(f.L), "fraction bits of log2"},
-                              {"int E", text(f.E), "address bits of exp2"},
-                              {"int S", text(f.S), "fraction bits of the exponent"},
-                              {"int O", text(f.O), "fraction bits of the output"}},
-                             {f.log2.table(), f.exp2.table()})};
+    const std::vector<Table> memories{named("log2_nl", f.log2.table()), named("log2_nv", f.log2.table()),
+                                      f.exp2.table()};
+    return with_tables(
+        {effect_wrapper(
+             model,
+             {{block::stream(), block::step(6), block::divider(f.S + 7), block::step(), block::exp2(), block::step()},
+              {"glint_dot", "glint_delay", "glint_log2"}},
+             {{"F", text(f.F), ""}, {"T", text(f.T), ""}, {"E", text(f.E), ""}, {"O", text(f.O), ""}}, memories),
+         effect_top(model),
+         effect_constants(model,
+                          {{"int F", text(f.F), "fraction bits of the dot products"},
+                           {"int T", text(f.T), "address bits of log2"},
+                           {"int L", text(f.L), "fraction bits of log2"},
+                           {"int E", text(f.E), "address bits of exp2"},
+                           {"int S", text(f.S), "fraction bits of the exponent"},
+                           {"int O", text(f.O), "fraction bits of the output"}},
+                          {f.log2.table(), f.exp2.table()})},
+        memories);
 }
 
 std::vector<EffectCase> ward_cases(const EffectModel& model) {

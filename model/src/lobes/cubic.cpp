@@ -138,7 +138,10 @@ std::unique_ptr<GoldenModel> make_cubic(const Profile& profile) {
 
 std::vector<GeneratedFile> emit_cubic(const Profile& profile, const Architecture& architecture) {
     const CubicFormat f = cubic_format(profile);
-    Table table{"row", {{"cut", f.F + 1}, {"g1", f.K + 1}, {"g2", f.K}, {"g3", f.K - 3}}, {}};
+    Table table{"row",
+                {{"cut", f.F + 1}, {"g1", f.K + 1}, {"g2", f.K}, {"g3", f.K - 3}},
+                {},
+                fmt::format("cubic_{}_{}", f.F, f.K)};
     for (const Row& row : f.rows) table.rows.push_back({row.cut, row.g1, row.g2, row.g3});
     const auto text = [](int x) { return std::to_string(x); };
     auto files = generated_sources(

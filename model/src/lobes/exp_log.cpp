@@ -72,8 +72,10 @@ std::int64_t nearest(Wide x, int bits) {
     return code;
 }
 
-Table Pieces::table(std::string_view name, int c0_width, int c1_width, int c2_width) const {
-    Table out{std::string(name), {{"c0", c0_width}, {"c1", c1_width}, {"c2", c2_width}}, {}};
+Table Pieces::table(std::string_view function, std::string_view name, int c0_width, int c1_width, int c2_width) const {
+    Table out{std::string(name), {{"c0", c0_width}, {"c1", c1_width}, {"c2", c2_width}}, {}, {}};
+    // What an entry depends on: the piece, and the fraction bits of the value.
+    out.module = fmt::format("{}_{}_{}", function, pieces.size(), c0_width);
     const auto fits = [](std::int64_t x, int width) {
         return x >= -(std::int64_t{1} << (width - 1)) && x < std::int64_t{1} << (width - 1);
     };
@@ -117,7 +119,7 @@ Log2::Steps Log2::steps(std::int64_t C) const {
     return x;
 }
 
-Table Log2::table(std::string_view name) const { return pieces.table(name, L, L - T + 2, L - 2 * T + 1); }
+Table Log2::table(std::string_view name) const { return pieces.table("log2", name, L, L - T + 2, L - 2 * T + 1); }
 
 Exp2::Steps Exp2::steps(std::int64_t t) const {
     const std::int64_t fraction = t & ((std::int64_t{1} << S) - 1);
@@ -128,7 +130,7 @@ Exp2::Steps Exp2::steps(std::int64_t t) const {
     return {p.h, p.value, cut < 0 ? p.value << -cut : rnd(p.value, cut)};
 }
 
-Table Exp2::table() const { return pieces.table("exp2", S + 1, S - E + 1 + pieces.G, S - 2 * E + pieces.G); }
+Table Exp2::table() const { return pieces.table("exp2", "exp2", S + 1, S - E + 1 + pieces.G, S - 2 * E + pieces.G); }
 
 std::vector<int> shipped_numbers(int F, int O) { return {F, O / 4 + 2, O + 13, O / 4, O + 4, O}; }
 

@@ -41,9 +41,9 @@ struct Pieces {
         return {h, c.c0 + rnd(h * r, R + G)};
     }
 
-    /// As a read-only memory with the fields c0, c1, c2 of these widths. Throws Error where an entry, or h, which goes
-    /// from c1 to c1 + c2, does not fit.
-    Table table(std::string_view name, int c0_width, int c1_width, int c2_width) const;
+    /// As a read-only memory of values of `function`, with the fields c0, c1, c2 of these widths. Throws Error where an
+    /// entry, or h, which goes from c1 to c1 + c2, does not fit.
+    Table table(std::string_view function, std::string_view name, int c0_width, int c1_width, int c2_width) const;
 };
 
 /// `real`(x, bits) at x / 2^bits in [0, 1], in 2^address pieces with entries at value_bits. Throws Error.

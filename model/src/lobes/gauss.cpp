@@ -91,7 +91,7 @@ std::vector<GeneratedFile> emit_gauss(const Profile& profile, const Architecture
          {"int E", text(f.exp2.E), "address bits of exp2"},
          {"int S", text(f.exp2.S), "fraction bits of t and p"},
          {"int O", text(f.exp2.O), "fraction bits of the output"}},
-        {f.angle.table("angle", f.L + 1, f.L - f.T + 3, f.L - 2 * f.T + 1), f.exp2.table()});
+        {f.angle.table("half_square_angle", "angle", f.L + 1, f.L - f.T + 3, f.L - 2 * f.T + 1), f.exp2.table()});
 }
 
 std::vector<HardCase> gauss_hard_cases(const GoldenModel& model) {

@@ -90,14 +90,18 @@ struct Table {
     std::string name;
     std::vector<Field> fields;
     std::vector<std::vector<std::int64_t>> rows;  ///< 2^k of them, each with a value per field
+    std::string module;                           ///< glint_table_<module> in Verilog: tables of one name are equal
 };
 
 /// What tables add to the module of a generated wrapper: its wires, the connections of the unit inside (each with a
-/// comma before it), the memories' instances, and the memories' modules.
+/// comma before it), the memories' instances.
 struct TableText {
-    std::string wires, ports, instances, roms;
+    std::string wires, ports, instances;
 };
-TableText table_text(const std::string& module, const std::vector<Table>& tables);
+TableText table_text(const std::vector<Table>& tables);
+
+/// `files`, and the modules of tables, a file each; one that several tables share is there once.
+std::vector<GeneratedFile> with_tables(std::vector<GeneratedFile> files, const std::vector<Table>& tables);
 
 /// An HLS kernel: a function template on a struct of constants, in <folder>/glint_<kernel>.hpp beside the generated
 /// folder.
@@ -120,7 +124,7 @@ GeneratedFile top_function(const Kernel& kernel, const Profile& profile);
 /// A signed Verilog literal of `width` bits. Legal: |value| < 2^(width - 1).
 std::string verilog_literal(std::int64_t value, int width);
 
-/// What tables and numbers add to the description of a unit.
+/// What tables and numbers add to the description of a unit. The unit's own file stays the last.
 void describe(HardwareUnit& unit, const std::vector<Constant>& parameters, const std::vector<Table>& tables);
 
 /// The Verilog wrappers of the unit and of its AXI4-Stream form, with the parameters set, those of the architecture as

@@ -269,18 +269,17 @@ std::vector<GeneratedFile> emit_polynomial(const Profile& profile, const Archite
         kernel.push_back({fmt::format("std::int64_t k{}", i), text(used ? f.k[i] : 0),
                           used ? fmt::format("{}", f.polynomial.coefficients[i]) : "not used"});
     }
-    auto files = generated_sources(
-        PolynomialFormat::lobe, profile, architecture,
-        {{block::ports(), block::ratio(f.S), block::horner(static_cast<int>(f.degree()))}, {"glint_ratio_symmetric"}},
-        {{"F", text(f.F), ""},
-         {"S", text(f.S), ""},
-         {"K", text(f.K), ""},
-         {"O", text(f.O), ""},
-         {"I", text(f.I), ""},
-         {"VARIABLE", variable, ""},
-         {"DEGREE", text(f.degree()), ""},
-         {"COEFFICIENTS", "{" + packed + "}", ""}},
-        kernel);
+    auto files = generated_sources(PolynomialFormat::lobe, profile, architecture,
+                                   {{block::ports(), block::ratio(f.S), block::horner(static_cast<int>(f.degree()))}},
+                                   {{"F", text(f.F), ""},
+                                    {"S", text(f.S), ""},
+                                    {"K", text(f.K), ""},
+                                    {"O", text(f.O), ""},
+                                    {"I", text(f.I), ""},
+                                    {"VARIABLE", variable, ""},
+                                    {"DEGREE", text(f.degree()), ""},
+                                    {"COEFFICIENTS", "{" + packed + "}", ""}},
+                                   kernel);
     files.push_back(polynomial_script(profile, f));
     return files;
 }

@@ -1,9 +1,0 @@
-// The files of glint_quadratic_axis_p8, for `verilator -f` and `iverilog -f`. GLINT_RTL in the environment is the folder rtl/ of Glint.
-$(GLINT_RTL)/glint_skid.v
-$(GLINT_RTL)/glint_axis.v
-$(GLINT_RTL)/glint_delay.v
-$(GLINT_RTL)/glint_ports.v
-$(GLINT_RTL)/glint_multiplier.v
-$(GLINT_RTL)/glint_quadratic.v
-$(GLINT_RTL)/generated/glint_quadratic_p8.v
-$(GLINT_RTL)/generated/glint_quadratic_axis_p8.v
