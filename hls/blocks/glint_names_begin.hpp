@@ -1,5 +1,5 @@
-// Sets macros of one letter aside, up to glint_names_end.hpp: a user may have some, and the kernels have the names of one
-// letter that the documents have. For that it has no include guard.
+// Sets macros of one letter aside, up to glint_names_end.hpp: a user may have some, and the kernels have the names of
+// one letter that the documents have. For that it has no include guard.
 #pragma push_macro("A")
 #undef A
 #pragma push_macro("B")
