@@ -20,6 +20,7 @@ void add_vectors(CLI::App& app, Chosen& chosen);
 void add_emit(CLI::App& app, Chosen& chosen);
 void add_fit(CLI::App& app, Chosen& chosen);
 void add_cases(CLI::App& app, Chosen& chosen);
+void add_study(CLI::App& app, Chosen& chosen);
 void add_report(CLI::App& app, Chosen& chosen);
 void add_cost(CLI::App& app, Chosen& chosen);
 void add_choose(CLI::App& app, Chosen& chosen);

@@ -13,6 +13,7 @@ int main(int argc, char** argv) {
     glint::cli::add_emit(app, chosen);
     add_fit(app, chosen);
     glint::cli::add_cases(app, chosen);
+    glint::cli::add_study(app, chosen);
     glint::cli::add_report(app, chosen);
     glint::cli::add_cost(app, chosen);
     glint::cli::add_choose(app, chosen);

@@ -71,13 +71,13 @@ CpuPrices read_cpu_prices(const std::string& path) {
     return out;
 }
 
-CpuPrices read_model_prices(const std::string& path, std::span<const studies::paper2::CountedModel> models) {
+CpuPrices read_model_prices(const std::string& path, std::span<const std::string_view> names) {
     const std::string name = fmt::format("file of CPU prices of models '{}'", path);
     const CpuPrices out = read(path, name, "glint-cost-cpu-models-1", "model");
-    for (const studies::paper2::CountedModel& model : models) {
+    for (const std::string_view model : names) {
         for (const char* type : {"double", "float"}) {
-            if (out.find(model.name, type, "scalar") == nullptr) {
-                throw Error(fmt::format("{} does not hold the model {} in {}, scalar", name, model.name, type));
+            if (out.find(model, type, "scalar") == nullptr) {
+                throw Error(fmt::format("{} does not hold the model {} in {}, scalar", name, model, type));
             }
         }
     }

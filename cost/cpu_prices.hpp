@@ -8,20 +8,17 @@
 #include <string_view>
 #include <vector>
 
-#include "studies/paper2.hpp"
-
 namespace glint::cost {
 
 /// All times are nanoseconds a result, medians over repetitions.
 struct CpuPrice {
-    std::string
-        name;  ///< of a form of studies/forms.hpp, a lobe, or a rival: "pow"; or of a studies::paper2::CountedModel
-    std::string type;                    ///< "double", "float" or "fixed"
-    std::string profile;                 ///< of "fixed"
-    std::string form;                    ///< "scalar" or "batch"
-    std::string formula;                 ///< as evaluated
-    double throughput = 0;               ///< of many independent evaluations
-    double q1 = 0, q3 = 0;               ///< its quartiles over the repetitions
+    std::string name;       ///< of a form of studies/forms.hpp, a lobe, or a rival: "pow"; or of a lighting model
+    std::string type;       ///< "double", "float" or "fixed"
+    std::string profile;    ///< of "fixed"
+    std::string form;       ///< "scalar" or "batch"
+    std::string formula;    ///< as evaluated
+    double throughput = 0;  ///< of many independent evaluations
+    double q1 = 0, q3 = 0;  ///< its quartiles over the repetitions
     std::optional<double> latency;       ///< each evaluation waits for the one before; scalar only
     std::optional<double> instructions;  ///< a result; none where Valgrind was missing
 };
@@ -37,7 +34,7 @@ struct CpuPrices {
 /// Of lobes. Throws Error, one line with the file, the field and what is legal.
 CpuPrices read_cpu_prices(const std::string& path);
 
-/// Of lighting models, each of `models` in double and in float. Throws Error as above.
-CpuPrices read_model_prices(const std::string& path, std::span<const studies::paper2::CountedModel> models);
+/// Of lighting models, each of `names` in double and in float. Throws Error as above.
+CpuPrices read_model_prices(const std::string& path, std::span<const std::string_view> names);
 
 }  // namespace glint::cost

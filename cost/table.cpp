@@ -8,9 +8,9 @@
 #include <nlohmann/json.hpp>
 
 #include "cost/fpga/device.hpp"
-#include "cost/plots.hpp"
 #include "glint/error.hpp"
 #include "io/command.hpp"
+#include "io/page.hpp"
 
 namespace glint::cost {
 namespace {
@@ -126,6 +126,33 @@ Json configuration_json(const Configuration& c) {
     return out;
 }
 
+Json table_json(const std::vector<Configuration>& all, std::span<const Metric> axes, const Prices& data,
+                const std::vector<CpuPrice>& cpu, const Scope& scope) {
+    Json out{{"n", {{"first", scope.n.first}, {"last", scope.n.last}, {"step", scope.n.step}}},
+             {"cosine", scope.cosine == Cosine::rounded ? "rounded" : "exact"},
+             {"pareto", Json::array()},
+             {"configurations", Json::array()},
+             {"cpu", Json::array()}};
+    for (const Metric axis : axes) out["pareto"].push_back(info(axis).name);
+    const std::vector<bool> beaten = dominated(all, axes);
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        out["configurations"].push_back(configuration_json(all[i]));
+        out["configurations"].back()["dominated"] = static_cast<bool>(beaten[i]);
+    }
+    for (const CpuPrice& p : cpu) {
+        const auto number = [](std::optional<double> x) { return x ? Json(*x) : Json(nullptr); };
+        out["cpu"].push_back({{"lobe", p.name},
+                              {"type", p.type},
+                              {"profile", p.profile},
+                              {"form", p.form},
+                              {"error", number(cpu_error(data, p, scope))},
+                              {"ns_per_result", p.throughput},
+                              {"latency_ns", number(p.latency)},
+                              {"instructions", number(p.instructions)}});
+    }
+    return out;
+}
+
 std::string name_of(const Configuration& c) { return fmt::format("{} {} {}", c.lobe, c.profile, c.architecture); }
 
 std::vector<Metric> parse_axes(const std::string& text) {
@@ -183,34 +210,14 @@ int run_cost_table(TableOptions options, const std::string& command) {
 
     if (!options.csv.empty()) io::write_file(options.csv, to_csv(all, beaten, data, cpu, scope));
     if (!options.json.empty()) {
-        Json out{{"tool", "glint cost"},
-                 {"version", GLINT_VERSION},
-                 {"command", command},
-                 {"n", {{"first", scope.n.first}, {"last", scope.n.last}, {"step", scope.n.step}}},
-                 {"cosine", options.cosine},
-                 {"pareto", Json::array()},
-                 {"configurations", Json::array()},
-                 {"cpu", Json::array()}};
-        for (const Metric axis : axes) out["pareto"].push_back(info(axis).name);
-        for (std::size_t i = 0; i < all.size(); ++i) {
-            Json row = configuration_json(all[i]);
-            row["dominated"] = static_cast<bool>(beaten[i]);
-            out["configurations"].push_back(std::move(row));
-        }
-        for (const CpuPrice& p : cpu) {
-            const auto number = [](std::optional<double> x) { return x ? Json(*x) : Json(nullptr); };
-            out["cpu"].push_back({{"lobe", p.name},
-                                  {"type", p.type},
-                                  {"profile", p.profile},
-                                  {"form", p.form},
-                                  {"error", number(cpu_error(data, p, scope))},
-                                  {"ns_per_result", p.throughput},
-                                  {"latency_ns", number(p.latency)},
-                                  {"instructions", number(p.instructions)}});
-        }
+        Json out{{"tool", "glint cost"}, {"version", GLINT_VERSION}, {"command", command}};
+        out.update(table_json(all, axes, data, cpu, scope));
         io::write_file(options.json, out.dump(1) + "\n");
     }
-    if (!options.plots.empty()) write_cost_plots(options.plots, cost_plot_data(data, scope, options.device));
+    if (!options.plots.empty()) {
+        const std::vector<CpuPrice> beside = data.cpu ? data.cpu->prices : cpu;
+        io::run_page_script("stills.py", table_json(all, axes, data, beside, scope).dump(), options.plots);
+    }
 
     std::vector<std::string> marks;
     for (const bool is_beaten : beaten) marks.emplace_back(is_beaten ? "dominated" : "");

@@ -33,6 +33,11 @@ std::vector<Metric> parse_axes(const std::string& text);
 /// One line each, with all metrics, and with a mark each at its end unless `marks` is empty.
 std::string configurations_table(const std::vector<Configuration>& all, const std::vector<std::string>& marks = {});
 
+/// What `glint cost --json` writes: every configuration with all metrics and whether another one beats it on `axes`,
+/// and what the same costs on a processor. Of the scope, the exponents and the cosine.
+nlohmann::ordered_json table_json(const std::vector<Configuration>& all, std::span<const Metric> axes,
+                                  const Prices& data, const std::vector<CpuPrice>& cpu, const Scope& scope);
+
 /// All metrics; null where one is not known.
 nlohmann::ordered_json configuration_json(const Configuration& configuration);
 

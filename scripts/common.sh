@@ -42,6 +42,9 @@ install_missing() {
     need libstb-dev file_there '/usr/include/stb/stb_easy_font.h'
     need gappa command_there gappa
     need python3 command_there python3
+    need python3-jinja2 file_there '/usr/lib/python3/dist-packages/jinja2/__init__.py'
+    need python3-plotly file_there '/usr/lib/python3/dist-packages/plotly/__init__.py'
+    need esbuild command_there esbuild
     if [ "$1" = test ]; then
         need catch2 file_there '/usr/include/catch2/catch*.hpp'
         need libclang-rt-dev file_there '/usr/lib/llvm-*/lib/clang/*/lib/linux/libclang_rt.asan-*.a'
@@ -53,6 +56,8 @@ install_missing() {
         need z3 command_there z3
         need sollya command_there sollya
         need clang-format command_there clang-format
+        # Ubuntu has a snap for it: the test of the page in a browser is left out there.
+        ! grep -qx 'ID=debian' /etc/os-release || need chromium command_there chromium
         need assimp-testmodels file_there '/usr/share/assimp/models/OBJ/spider.obj'
         # 32-bit headers for the check of the HLS kernel's object file; there is no such package but on x86-64.
         [ "$(uname -m)" != x86_64 ] || need g++-multilib file_there '/usr/lib/gcc/x86_64-linux-gnu/*/32/libgcc.a'

@@ -17,10 +17,7 @@ using Uniforms = lighting::Uniforms<Counted>;
 
 template <class Model>
 CountedModel counted(const Pixel& pixel, const Uniforms& uniforms) {
-    const auto rows = table();
-    const bool printed =
-        std::any_of(rows.begin(), rows.end(), [](const TableRow& row) { return row.model == Model::title; });
-    CountedModel out{Model::name, Model::title, Model::text, printed, {}, 0.0};
+    CountedModel out{Model::name, Model::title, Model::text, {}, 0.0};
     out.operations = count([&] { out.value = Model{}(pixel, uniforms).x; });
     return out;
 }
@@ -35,6 +32,17 @@ std::span<const TableRow> table() {
     return rows;
 }
 
+const TableRow* printed(std::string_view model) {
+    const auto rows = table();
+    const auto found = std::find_if(rows.begin(), rows.end(), [&](const TableRow& row) { return row.model == model; });
+    return found == rows.end() ? nullptr : &*found;
+}
+
+std::vector<std::string_view> model_names() {
+    return std::apply([](auto... model) { return std::vector<std::string_view>{decltype(model)::name...}; },
+                      lighting::All{});
+}
+
 std::vector<CountedModel> counted_models(const Scene& scene, const Material& material) {
     const Pixel pixel(scene);
     const Uniforms uniforms(material);
@@ -45,25 +53,6 @@ std::vector<CountedModel> counted_models(const Scene& scene, const Material& mat
 
 int total(const Operations& o) {
     return o.multiplications + o.divisions + o.additions + o.increments + o.comparisons + o.calls;
-}
-
-int pairs_in_order(const std::function<double(std::string_view model)>& cost) {
-    const auto rows = table();
-    int out = 0;
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-        for (std::size_t k = i + 1; k < rows.size(); ++k) {
-            const double a = cost(rows[i].model), b = cost(rows[k].model);
-            if (a != b && (a < b) == (rows[i].instructions < rows[k].instructions)) ++out;
-        }
-    }
-    return out;
-}
-
-int pairs_in_order(std::span<const CountedModel> models) {
-    return pairs_in_order([&](std::string_view name) {
-        return total(
-            std::find_if(models.begin(), models.end(), [&](const auto& m) { return m.model == name; })->operations);
-    });
 }
 
 DistributionFigure figure_1(double m, int points) {

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <array>
-#include <functional>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -20,6 +19,8 @@ struct TableRow {
     double pixels_per_second = 0.0;
 };
 std::span<const TableRow> table();
+/// The row of a model by its name there; null where the paper has none.
+const TableRow* printed(std::string_view model);
 
 /// Of the modified Cook-Torrance: the instructions that are left, and how much faster it is.
 inline constexpr int printed_modified_instructions = 60;
@@ -46,10 +47,12 @@ struct CountedModel {
     std::string_view name;   ///< an identifier: "phong"
     std::string_view model;  ///< as in table(), or a variant of it, or Lambert
     std::string_view form;   ///< for people: what is evaluated
-    bool printed = false;    ///< whether table() has it
     Operations operations;
     double value = 0.0;
 };
+/// The names of the counted models, in their order.
+std::vector<std::string_view> model_names();
+
 /// Lambert; Phong, Blinn-Phong, Cook-Torrance, Ward and Oren-Nayar; then Oren-Nayar without trigonometry, the modified
 /// Cook-Torrance with its cubic in the angle, as in the paper, and with one in N.H. The code is that which bench/ times
 /// (studies/lighting.hpp). Throws Error unless the material is legal for Cook-Torrance.
@@ -57,12 +60,6 @@ std::vector<CountedModel> counted_models(const Scene& scene, const Material& mat
 
 /// All operations, each as one: as instructions of a shader are.
 int total(const Operations& operations);
-
-/// Of the ten pairs of models in table(), how many a cost, by the model as table() has it, orders as the instructions
-/// do.
-int pairs_in_order(const std::function<double(std::string_view model)>& cost);
-/// The cost being the totals of the counted ones, which have to be there.
-int pairs_in_order(std::span<const CountedModel> models);
 
 /// Fig. 1: m^2 D over the angle (0 to pi/2), and its cubics.
 struct DistributionFigure {
