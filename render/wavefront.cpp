@@ -311,8 +311,11 @@ private:
         some(crossing, "face crosses or covers", "faces cross or cover", "itself");
         some(normal_missing, "corner has", "corners have", "a normal that is not there; it is made from the faces");
         if (!undefined.empty() && !library_missing_) {
-            warn(fmt::format("material '{}' is not defined{}: its faces are grey", printable(*undefined.begin()),
-                             undefined.size() == 1 ? "" : fmt::format(", nor {} {} more", undefined.size() == 2 ? "is" : "are", undefined.size() - 1)));
+            warn(fmt::format(
+                "material '{}' is not defined{}: its faces are grey", printable(*undefined.begin()),
+                undefined.size() == 1
+                    ? ""
+                    : fmt::format(", nor {} {} more", undefined.size() == 2 ? "is" : "are", undefined.size() - 1)));
         }
         if (dropped != 0) {
             warn(fmt::format("{} without an area {} left out",

@@ -4,6 +4,8 @@
 
 #include "glint_unit.hpp"
 
+#include "glint_names_begin.hpp"  // after all others
+
 namespace glint_hls {
 
 /// An input cut to its legal range, and whether that changed it.
@@ -36,5 +38,7 @@ Cut<uint<O + 1>> cut_colour(std::uint32_t port) {
 }
 
 }  // namespace glint_hls
+
+#include "glint_names_end.hpp"
 
 #endif

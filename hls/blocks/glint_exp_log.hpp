@@ -5,6 +5,8 @@
 
 #include "glint_unit.hpp"
 
+#include "glint_names_begin.hpp"  // after all others
+
 namespace glint_hls {
 
 /// c0 + rnd(h r, R + G), h = c1 + rnd(c2 r, R), for r = 0 .. 2^R. h has the width of c1; a product of a coefficient of
@@ -83,5 +85,7 @@ uint<Constants::O + 1> exp2(uint<T_W> t) {
 }
 
 }  // namespace glint_hls
+
+#include "glint_names_end.hpp"
 
 #endif

@@ -11,6 +11,8 @@
 #include <cstdint>
 #include <type_traits>
 
+#include "glint_names_begin.hpp"  // after all others
+
 // Every tool defines one of these while it synthesizes; each tool takes its own pragmas and passes over the others'.
 #if defined(__SYNTHESIS__) || defined(__BAMBU__)
 #define GLINT_HLS_PRAGMAS
@@ -79,5 +81,7 @@ constexpr sint<W> product(T x, U y) {
 }
 
 }  // namespace glint_hls
+
+#include "glint_names_end.hpp"
 
 #endif

@@ -6,6 +6,8 @@
 #include "glint_effect.hpp"
 #include "glint_exp_log.hpp"
 
+#include "glint_names_begin.hpp"  // after all others
+
 namespace glint_hls {
 
 /// The dot products: dark where nl, nv or nh is not above 0; then the numbers are without meaning.
@@ -101,5 +103,7 @@ uint<Constants::O + 8> scaled_power(sint<Z_W> z, uint<K + 2> factor) {
 }
 
 }  // namespace glint_hls
+
+#include "glint_names_end.hpp"
 
 #endif

@@ -4,6 +4,8 @@
 
 #include "glint_int.hpp"
 
+#include "glint_names_begin.hpp"  // after all others
+
 namespace glint_hls {
 
 /// floor(sqrt(x)) of 2 Y_W bits, Y_W at most 31: Y_W restoring steps, one bit of the root each. What a step leaves is
@@ -27,5 +29,7 @@ uint<Y_W> floor_sqrt(uint<2 * Y_W> x) {
 }
 
 }  // namespace glint_hls
+
+#include "glint_names_end.hpp"
 
 #endif

@@ -5,6 +5,8 @@
 
 #include "glint_int.hpp"
 
+#include "glint_names_begin.hpp"  // after all others
+
 namespace glint_hls {
 
 /// An input after the corrections of the contract's section "Ports".
@@ -113,5 +115,7 @@ std::uint32_t word(const Corrected<F>& in, uint<O + 1> y) {
 #define GLINT_PIPELINE_CATAPULT
 #define GLINT_PIPELINE_VITIS
 #endif
+
+#include "glint_names_end.hpp"
 
 #endif

@@ -4,6 +4,8 @@
 
 #include "../blocks/glint_effect.hpp"
 
+#include "../blocks/glint_names_begin.hpp"  // after all others
+
 namespace glint_hls {
 
 /// rnd(k i, O) for k = 0 .. 2^O and i of O + 4 bits. The product and the half that rounds it fit 2 O + 4 bits, since
@@ -30,5 +32,7 @@ void effect_ambient(std::uint32_t k_r, std::uint32_t k_g, std::uint32_t k_b, std
 }
 
 }  // namespace glint_hls
+
+#include "../blocks/glint_names_end.hpp"
 
 #endif

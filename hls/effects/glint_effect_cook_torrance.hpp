@@ -6,6 +6,8 @@
 #include "../blocks/glint_microfacets.hpp"
 #include "../blocks/glint_sqrt.hpp"
 
+#include "../blocks/glint_names_begin.hpp"  // after all others
+
 namespace glint_hls {
 
 /// The constants for the logarithm of q / 8, which has R + 3 = O + 13 fraction bits.
@@ -98,5 +100,7 @@ void effect_cook_torrance(std::int32_t nl, std::int32_t nv, std::int32_t nh, std
 }
 
 }  // namespace glint_hls
+
+#include "../blocks/glint_names_end.hpp"
 
 #endif

@@ -5,6 +5,8 @@
 
 #include "../blocks/glint_microfacets.hpp"
 
+#include "../blocks/glint_names_begin.hpp"  // after all others
+
 namespace glint_hls {
 
 /// c + rnd(h x, K) of Horner's rule, of an h of H_W bits; the result has one bit more than h. 0 <= x < 1 at K bits, so
@@ -51,5 +53,7 @@ void effect_cook_torrance_modified(std::int32_t nl, std::int32_t nv, std::int32_
 }
 
 }  // namespace glint_hls
+
+#include "../blocks/glint_names_end.hpp"
 
 #endif

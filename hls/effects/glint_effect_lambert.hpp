@@ -4,6 +4,8 @@
 
 #include "../blocks/glint_effect.hpp"
 
+#include "../blocks/glint_names_begin.hpp"  // after all others
+
 namespace glint_hls {
 
 template <class Constants>
@@ -19,5 +21,7 @@ void effect_lambert(std::int32_t nl, std::uint32_t* y, bool* clamped) {
 }
 
 }  // namespace glint_hls
+
+#include "../blocks/glint_names_end.hpp"
 
 #endif

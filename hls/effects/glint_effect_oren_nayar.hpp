@@ -4,6 +4,8 @@
 
 #include "../blocks/glint_effect.hpp"
 
+#include "../blocks/glint_names_begin.hpp"  // after all others
+
 namespace glint_hls {
 
 template <class Constants>
@@ -48,5 +50,7 @@ void effect_oren_nayar(std::int32_t nl_port, std::int32_t nv_port, std::int32_t 
 }
 
 }  // namespace glint_hls
+
+#include "../blocks/glint_names_end.hpp"
 
 #endif

@@ -4,6 +4,8 @@
 
 #include "../blocks/glint_effect.hpp"
 
+#include "../blocks/glint_names_begin.hpp"  // after all others
+
 namespace glint_hls {
 
 /// min(2^(O+8) - 1, rnd(k i s, 2 O)) for k = 0 .. 2^O, i of O + 4 and s of O + 8 bits. `colour` is at most
@@ -36,5 +38,7 @@ void effect_tint(std::uint32_t s, std::uint32_t k_r, std::uint32_t k_g, std::uin
 }
 
 }  // namespace glint_hls
+
+#include "../blocks/glint_names_end.hpp"
 
 #endif

@@ -5,6 +5,8 @@
 #include "../blocks/glint_effect.hpp"
 #include "../blocks/glint_exp_log.hpp"
 
+#include "../blocks/glint_names_begin.hpp"  // after all others
+
 namespace glint_hls {
 
 /// hx or hy: min(16 - 2^-H, abs(h) k) at H = O + 3 bits. The product is at most 2^F (2^(O+7) - 1), with the half that
@@ -84,5 +86,7 @@ void effect_ward(std::int32_t nl_port, std::int32_t nv_port, std::int32_t nh_por
 }
 
 }  // namespace glint_hls
+
+#include "../blocks/glint_names_end.hpp"
 
 #endif

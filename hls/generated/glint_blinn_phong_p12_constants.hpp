@@ -5,6 +5,21 @@
 
 #include <cstdint>
 
+#pragma push_macro("E")
+#undef E
+#pragma push_macro("F")
+#undef F
+#pragma push_macro("L")
+#undef L
+#pragma push_macro("O")
+#undef O
+#pragma push_macro("S")
+#undef S
+#pragma push_macro("T")
+#undef T
+#pragma push_macro("n")
+#undef n
+
 struct glint_blinn_phong_p12_constants {
     static constexpr int F = 18;  // fraction bits of the cosine
     static constexpr int T = 5;  // address bits of log2
@@ -60,5 +75,13 @@ struct glint_blinn_phong_p12_constants {
 };
 
 extern "C" std::uint32_t glint_blinn_phong_p12(std::uint16_t n, std::int32_t cos_code);
+
+#pragma pop_macro("E")
+#pragma pop_macro("F")
+#pragma pop_macro("L")
+#pragma pop_macro("O")
+#pragma pop_macro("S")
+#pragma pop_macro("T")
+#pragma pop_macro("n")
 
 #endif

@@ -5,6 +5,21 @@
 
 #include <cstdint>
 
+#pragma push_macro("E")
+#undef E
+#pragma push_macro("F")
+#undef F
+#pragma push_macro("L")
+#undef L
+#pragma push_macro("O")
+#undef O
+#pragma push_macro("S")
+#undef S
+#pragma push_macro("T")
+#undef T
+#pragma push_macro("n")
+#undef n
+
 struct glint_blinn_phong_p16_constants {
     static constexpr int F = 20;  // fraction bits of the cosine
     static constexpr int T = 6;  // address bits of log2
@@ -75,5 +90,13 @@ struct glint_blinn_phong_p16_constants {
 };
 
 extern "C" std::uint32_t glint_blinn_phong_p16(std::uint16_t n, std::int32_t cos_code);
+
+#pragma pop_macro("E")
+#pragma pop_macro("F")
+#pragma pop_macro("L")
+#pragma pop_macro("O")
+#pragma pop_macro("S")
+#pragma pop_macro("T")
+#pragma pop_macro("n")
 
 #endif

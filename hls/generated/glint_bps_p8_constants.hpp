@@ -5,6 +5,21 @@
 
 #include <cstdint>
 
+#pragma push_macro("F")
+#undef F
+#pragma push_macro("K")
+#undef K
+#pragma push_macro("O")
+#undef O
+#pragma push_macro("S")
+#undef S
+#pragma push_macro("a")
+#undef a
+#pragma push_macro("b")
+#undef b
+#pragma push_macro("n")
+#undef n
+
 struct glint_bps_p8_constants {
     static constexpr int F = 16;  // fraction bits of the cosine
     static constexpr int S = 11;  // fraction bits of the quotient
@@ -17,5 +32,13 @@ struct glint_bps_p8_constants {
 };
 
 extern "C" std::uint32_t glint_bps_p8(std::uint16_t n, std::int32_t cos_code);
+
+#pragma pop_macro("F")
+#pragma pop_macro("K")
+#pragma pop_macro("O")
+#pragma pop_macro("S")
+#pragma pop_macro("a")
+#pragma pop_macro("b")
+#pragma pop_macro("n")
 
 #endif

@@ -5,6 +5,17 @@
 
 #include <cstdint>
 
+#pragma push_macro("A")
+#undef A
+#pragma push_macro("F")
+#undef F
+#pragma push_macro("O")
+#undef O
+#pragma push_macro("S")
+#undef S
+#pragma push_macro("n")
+#undef n
+
 struct glint_cayley_p8_constants {
     static constexpr int F = 16;  // fraction bits of the cosine
     static constexpr int A = 0;  // 0: the lobe; else the power of the plain formula
@@ -13,5 +24,11 @@ struct glint_cayley_p8_constants {
 };
 
 extern "C" std::uint32_t glint_cayley_p8(std::uint16_t n, std::int32_t cos_code);
+
+#pragma pop_macro("A")
+#pragma pop_macro("F")
+#pragma pop_macro("O")
+#pragma pop_macro("S")
+#pragma pop_macro("n")
 
 #endif

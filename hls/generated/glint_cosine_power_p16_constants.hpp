@@ -5,6 +5,15 @@
 
 #include <cstdint>
 
+#pragma push_macro("F")
+#undef F
+#pragma push_macro("O")
+#undef O
+#pragma push_macro("S")
+#undef S
+#pragma push_macro("n")
+#undef n
+
 struct glint_cosine_power_p16_constants {
     static constexpr int F = 20;  // fraction bits of the cosine
     static constexpr int LOG2_A = 3;  // the lobe is a power of exponent a = 2^LOG2_A
@@ -13,5 +22,10 @@ struct glint_cosine_power_p16_constants {
 };
 
 extern "C" std::uint32_t glint_cosine_power_p16(std::uint16_t n, std::int32_t cos_code);
+
+#pragma pop_macro("F")
+#pragma pop_macro("O")
+#pragma pop_macro("S")
+#pragma pop_macro("n")
 
 #endif

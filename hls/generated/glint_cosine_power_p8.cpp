@@ -4,6 +4,9 @@
 
 #include "glint_cosine_power_p8_constants.hpp"
 
+#pragma push_macro("n")
+#undef n
+
 GLINT_PIPELINE_CATAPULT
 extern "C" std::uint32_t glint_cosine_power_p8(std::uint16_t n, std::int32_t cos_code) {
     GLINT_PIPELINE_VITIS

@@ -5,6 +5,17 @@
 
 #include <cstdint>
 
+#pragma push_macro("F")
+#undef F
+#pragma push_macro("K")
+#undef K
+#pragma push_macro("O")
+#undef O
+#pragma push_macro("S")
+#undef S
+#pragma push_macro("n")
+#undef n
+
 struct glint_cubic_p12_constants {
     static constexpr int F = 18;  // fraction bits of the cosine
     static constexpr int S = 16;  // fraction bits of T
@@ -545,5 +556,11 @@ struct glint_cubic_p12_constants {
 };
 
 extern "C" std::uint32_t glint_cubic_p12(std::uint16_t n, std::int32_t cos_code);
+
+#pragma pop_macro("F")
+#pragma pop_macro("K")
+#pragma pop_macro("O")
+#pragma pop_macro("S")
+#pragma pop_macro("n")
 
 #endif

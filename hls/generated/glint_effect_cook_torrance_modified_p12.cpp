@@ -4,6 +4,9 @@
 
 #include "glint_effect_cook_torrance_modified_p12_constants.hpp"
 
+#pragma push_macro("y")
+#undef y
+
 GLINT_PIPELINE_CATAPULT
 extern "C" void glint_effect_cook_torrance_modified_p12(std::int32_t nl, std::int32_t nv, std::int32_t nh, std::int32_t vh, std::int32_t level, std::uint32_t stretch, std::int32_t c0, std::int32_t c1, std::int32_t c2, std::int32_t c3, std::uint32_t* y, bool* clamped) {
     GLINT_PIPELINE_VITIS

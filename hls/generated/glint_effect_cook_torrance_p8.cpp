@@ -4,6 +4,9 @@
 
 #include "glint_effect_cook_torrance_p8_constants.hpp"
 
+#pragma push_macro("y")
+#undef y
+
 GLINT_PIPELINE_CATAPULT
 extern "C" void glint_effect_cook_torrance_p8(std::int32_t nl, std::int32_t nv, std::int32_t nh, std::int32_t vh, std::uint32_t falloff, std::int32_t level, std::uint32_t excess, std::uint32_t* y, bool* clamped) {
     GLINT_PIPELINE_VITIS

@@ -4,6 +4,9 @@
 
 #include "glint_effect_lambert_p16_constants.hpp"
 
+#pragma push_macro("y")
+#undef y
+
 GLINT_PIPELINE_CATAPULT
 extern "C" void glint_effect_lambert_p16(std::int32_t nl, std::uint32_t* y, bool* clamped) {
     GLINT_PIPELINE_VITIS

@@ -5,11 +5,22 @@
 
 #include <cstdint>
 
+#pragma push_macro("F")
+#undef F
+#pragma push_macro("O")
+#undef O
+#pragma push_macro("y")
+#undef y
+
 struct glint_effect_lambert_p16_constants {
     static constexpr int F = 20;  // fraction bits of the dot product
     static constexpr int O = 16;  // fraction bits of the output
 };
 
 extern "C" void glint_effect_lambert_p16(std::int32_t nl, std::uint32_t* y, bool* clamped);
+
+#pragma pop_macro("F")
+#pragma pop_macro("O")
+#pragma pop_macro("y")
 
 #endif

@@ -5,11 +5,28 @@
 
 #include <cstdint>
 
+#pragma push_macro("F")
+#undef F
+#pragma push_macro("O")
+#undef O
+#pragma push_macro("a")
+#undef a
+#pragma push_macro("b")
+#undef b
+#pragma push_macro("y")
+#undef y
+
 struct glint_effect_oren_nayar_p12_constants {
     static constexpr int F = 18;  // fraction bits of the dot products
     static constexpr int O = 12;  // fraction bits of the output
 };
 
 extern "C" void glint_effect_oren_nayar_p12(std::int32_t nl, std::int32_t nv, std::int32_t lv, std::uint32_t a, std::uint32_t b, std::uint32_t* y, bool* clamped);
+
+#pragma pop_macro("F")
+#pragma pop_macro("O")
+#pragma pop_macro("a")
+#pragma pop_macro("b")
+#pragma pop_macro("y")
 
 #endif

@@ -4,6 +4,13 @@
 
 #include "glint_effect_oren_nayar_p16_constants.hpp"
 
+#pragma push_macro("a")
+#undef a
+#pragma push_macro("b")
+#undef b
+#pragma push_macro("y")
+#undef y
+
 GLINT_PIPELINE_CATAPULT
 extern "C" void glint_effect_oren_nayar_p16(std::int32_t nl, std::int32_t nv, std::int32_t lv, std::uint32_t a, std::uint32_t b, std::uint32_t* y, bool* clamped) {
     GLINT_PIPELINE_VITIS

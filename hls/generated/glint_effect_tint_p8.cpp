@@ -4,6 +4,15 @@
 
 #include "glint_effect_tint_p8_constants.hpp"
 
+#pragma push_macro("b")
+#undef b
+#pragma push_macro("g")
+#undef g
+#pragma push_macro("r")
+#undef r
+#pragma push_macro("s")
+#undef s
+
 GLINT_PIPELINE_CATAPULT
 extern "C" void glint_effect_tint_p8(std::uint32_t s, std::uint32_t k_r, std::uint32_t k_g, std::uint32_t k_b, std::uint32_t i_r, std::uint32_t i_g, std::uint32_t i_b, std::uint32_t* r, std::uint32_t* g, std::uint32_t* b, bool* clamped) {
     GLINT_PIPELINE_VITIS

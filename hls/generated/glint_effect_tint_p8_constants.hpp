@@ -5,10 +5,27 @@
 
 #include <cstdint>
 
+#pragma push_macro("O")
+#undef O
+#pragma push_macro("b")
+#undef b
+#pragma push_macro("g")
+#undef g
+#pragma push_macro("r")
+#undef r
+#pragma push_macro("s")
+#undef s
+
 struct glint_effect_tint_p8_constants {
     static constexpr int O = 8;  // fraction bits of colours and terms
 };
 
 extern "C" void glint_effect_tint_p8(std::uint32_t s, std::uint32_t k_r, std::uint32_t k_g, std::uint32_t k_b, std::uint32_t i_r, std::uint32_t i_g, std::uint32_t i_b, std::uint32_t* r, std::uint32_t* g, std::uint32_t* b, bool* clamped);
+
+#pragma pop_macro("O")
+#pragma pop_macro("b")
+#pragma pop_macro("g")
+#pragma pop_macro("r")
+#pragma pop_macro("s")
 
 #endif

@@ -4,6 +4,9 @@
 
 #include "glint_effect_ward_p12_constants.hpp"
 
+#pragma push_macro("y")
+#undef y
+
 GLINT_PIPELINE_CATAPULT
 extern "C" void glint_effect_ward_p12(std::int32_t nl, std::int32_t nv, std::int32_t nh, std::int32_t ht, std::int32_t hb, std::uint32_t kx, std::uint32_t ky, std::int32_t log_peak, std::uint32_t* y, bool* clamped) {
     GLINT_PIPELINE_VITIS

@@ -5,6 +5,21 @@
 
 #include <cstdint>
 
+#pragma push_macro("E")
+#undef E
+#pragma push_macro("F")
+#undef F
+#pragma push_macro("L")
+#undef L
+#pragma push_macro("O")
+#undef O
+#pragma push_macro("S")
+#undef S
+#pragma push_macro("T")
+#undef T
+#pragma push_macro("y")
+#undef y
+
 struct glint_effect_ward_p12_constants {
     static constexpr int F = 18;  // fraction bits of the dot products
     static constexpr int T = 4;  // address bits of log2
@@ -54,5 +69,13 @@ struct glint_effect_ward_p12_constants {
 };
 
 extern "C" void glint_effect_ward_p12(std::int32_t nl, std::int32_t nv, std::int32_t nh, std::int32_t ht, std::int32_t hb, std::uint32_t kx, std::uint32_t ky, std::int32_t log_peak, std::uint32_t* y, bool* clamped);
+
+#pragma pop_macro("E")
+#pragma pop_macro("F")
+#pragma pop_macro("L")
+#pragma pop_macro("O")
+#pragma pop_macro("S")
+#pragma pop_macro("T")
+#pragma pop_macro("y")
 
 #endif

@@ -5,11 +5,22 @@
 
 #include <cstdint>
 
+#pragma push_macro("F")
+#undef F
+#pragma push_macro("O")
+#undef O
+#pragma push_macro("n")
+#undef n
+
 struct glint_schlick_p8_constants {
     static constexpr int F = 16;  // fraction bits of the cosine
     static constexpr int O = 8;  // fraction bits of the output
 };
 
 extern "C" std::uint32_t glint_schlick_p8(std::uint16_t n, std::int32_t cos_code);
+
+#pragma pop_macro("F")
+#pragma pop_macro("O")
+#pragma pop_macro("n")
 
 #endif

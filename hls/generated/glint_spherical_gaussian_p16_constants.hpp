@@ -5,6 +5,23 @@
 
 #include <cstdint>
 
+#pragma push_macro("E")
+#undef E
+#pragma push_macro("F")
+#undef F
+#pragma push_macro("K")
+#undef K
+#pragma push_macro("O")
+#undef O
+#pragma push_macro("S")
+#undef S
+#pragma push_macro("a")
+#undef a
+#pragma push_macro("b")
+#undef b
+#pragma push_macro("n")
+#undef n
+
 struct glint_spherical_gaussian_p16_constants {
     static constexpr int F = 20;  // fraction bits of the cosine
     static constexpr int K = 17;  // fraction bits of a, b and g
@@ -37,5 +54,14 @@ struct glint_spherical_gaussian_p16_constants {
 };
 
 extern "C" std::uint32_t glint_spherical_gaussian_p16(std::uint16_t n, std::int32_t cos_code);
+
+#pragma pop_macro("E")
+#pragma pop_macro("F")
+#pragma pop_macro("K")
+#pragma pop_macro("O")
+#pragma pop_macro("S")
+#pragma pop_macro("a")
+#pragma pop_macro("b")
+#pragma pop_macro("n")
 
 #endif

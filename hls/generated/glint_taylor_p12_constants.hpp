@@ -5,6 +5,19 @@
 
 #include <cstdint>
 
+#pragma push_macro("A")
+#undef A
+#pragma push_macro("E")
+#undef E
+#pragma push_macro("F")
+#undef F
+#pragma push_macro("O")
+#undef O
+#pragma push_macro("S")
+#undef S
+#pragma push_macro("n")
+#undef n
+
 struct glint_taylor_p12_constants {
     static constexpr int F = 18;  // fraction bits of the cosine
     static constexpr int A = 16;  // the power
@@ -14,5 +27,12 @@ struct glint_taylor_p12_constants {
 };
 
 extern "C" std::uint32_t glint_taylor_p12(std::uint16_t n, std::int32_t cos_code);
+
+#pragma pop_macro("A")
+#pragma pop_macro("E")
+#pragma pop_macro("F")
+#pragma pop_macro("O")
+#pragma pop_macro("S")
+#pragma pop_macro("n")
 
 #endif

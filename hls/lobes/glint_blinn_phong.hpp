@@ -4,6 +4,8 @@
 
 #include "../blocks/glint_exp_log.hpp"
 
+#include "../blocks/glint_names_begin.hpp"  // after all others
+
 namespace glint_hls {
 
 template <class Constants>
@@ -21,5 +23,7 @@ std::uint32_t blinn_phong(uint<10> n, sint<Constants::F + 2> cos_code) {
 }
 
 }  // namespace glint_hls
+
+#include "../blocks/glint_names_end.hpp"
 
 #endif

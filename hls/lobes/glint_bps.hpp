@@ -5,6 +5,8 @@
 
 #include "../blocks/glint_unit.hpp"
 
+#include "../blocks/glint_names_begin.hpp"  // after all others
+
 namespace glint_hls {
 
 /// Constants: a generated header, generated/glint_bps_<profile>_constants.hpp.
@@ -43,5 +45,7 @@ std::uint32_t bps(uint<10> n, sint<Constants::F + 2> cos_code) {
 }
 
 }  // namespace glint_hls
+
+#include "../blocks/glint_names_end.hpp"
 
 #endif

@@ -4,6 +4,8 @@
 
 #include "../blocks/glint_unit.hpp"
 
+#include "../blocks/glint_names_begin.hpp"  // after all others
+
 namespace glint_hls {
 
 /// Constants: a generated header, generated/glint_cosine_power_<profile>_constants.hpp.
@@ -31,5 +33,7 @@ std::uint32_t cosine_power(uint<10> n, sint<Constants::F + 2> cos_code) {
 }
 
 }  // namespace glint_hls
+
+#include "../blocks/glint_names_end.hpp"
 
 #endif

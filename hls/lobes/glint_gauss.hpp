@@ -4,6 +4,8 @@
 
 #include "../blocks/glint_exp_log.hpp"
 
+#include "../blocks/glint_names_begin.hpp"  // after all others
+
 namespace glint_hls {
 
 template <class Constants>
@@ -32,5 +34,7 @@ std::uint32_t gauss(uint<10> n, sint<Constants::F + 2> cos_code) {
 }
 
 }  // namespace glint_hls
+
+#include "../blocks/glint_names_end.hpp"
 
 #endif

@@ -4,6 +4,8 @@
 
 #include "../blocks/glint_unit.hpp"
 
+#include "../blocks/glint_names_begin.hpp"  // after all others
+
 namespace glint_hls {
 
 /// t at S bits: floor((2^F + C) 2^S / D), D = 2^F + C + 2 n (2^F - C). D falls when C grows, from (2 n + 1) 2^F: F + 11
@@ -77,5 +79,7 @@ std::uint32_t polynomial(uint<10> n, sint<Constants::F + 2> cos_code) {
 }
 
 }  // namespace glint_hls
+
+#include "../blocks/glint_names_end.hpp"
 
 #endif

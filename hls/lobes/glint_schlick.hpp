@@ -4,6 +4,8 @@
 
 #include "../blocks/glint_unit.hpp"
 
+#include "../blocks/glint_names_begin.hpp"  // after all others
+
 namespace glint_hls {
 
 template <class Constants>
@@ -20,5 +22,7 @@ std::uint32_t schlick(uint<10> n, sint<Constants::F + 2> cos_code) {
 }
 
 }  // namespace glint_hls
+
+#include "../blocks/glint_names_end.hpp"
 
 #endif

@@ -5,6 +5,8 @@
 
 #include "../blocks/glint_exp_log.hpp"
 
+#include "../blocks/glint_names_begin.hpp"  // after all others
+
 namespace glint_hls {
 
 template <class Constants>
@@ -24,5 +26,7 @@ std::uint32_t spherical_gaussian(uint<10> n, sint<Constants::F + 2> cos_code) {
 }
 
 }  // namespace glint_hls
+
+#include "../blocks/glint_names_end.hpp"
 
 #endif

@@ -4,6 +4,8 @@
 
 #include "../blocks/glint_unit.hpp"
 
+#include "../blocks/glint_names_begin.hpp"  // after all others
+
 namespace glint_hls {
 
 /// C at S bits: rnd(C, F - S), or C 2^(S-F).
@@ -53,5 +55,7 @@ std::uint32_t taylor(uint<10> n, sint<Constants::F + 2> cos_code) {
 }
 
 }  // namespace glint_hls
+
+#include "../blocks/glint_names_end.hpp"
 
 #endif

@@ -379,8 +379,7 @@ TEST_CASE("obj: normals that are not there are made") {
         REQUIRE(model.triangles.size() == 1);
         for (const Corner& corner : model.triangles[0].corners) CHECK(corner.normal == Vec3{0, 0, 1});
         CHECK(warnings.size() == 1);
-        CHECK(holds(warnings.at(0),
-                    "a normal that is not there; it is made from the faces, the first in line 5"));
+        CHECK(holds(warnings.at(0), "a normal that is not there; it is made from the faces, the first in line 5"));
     }
 }
 
