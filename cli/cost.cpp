@@ -107,8 +107,7 @@ void add_cost(CLI::App& app, Chosen& chosen) {
     auto o = std::make_shared<Options>();
     CLI::App* command = app.add_subcommand("cost", "What accuracy costs: errors beside cells, clocks and latency");
     command->add_flag("--fpga", o->fpga, "Price units instead: synthesize, place and route (docs/cost.md)");
-    command->add_flag("--check", o->check,
-                      "Instead, which prices are missing or of other Verilog (--json: the file)");
+    command->add_flag("--check", o->check, "Instead, which prices are missing or of other Verilog (of --json)");
     command->add_flag("--accuracy", o->accuracy, "Measure errors over all inputs instead");
     command->add_flag("--grid", o->grid, "Find the shortest word lengths that will do instead");
     o->units = {
