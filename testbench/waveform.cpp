@@ -10,8 +10,11 @@
 namespace glint::testbench {
 namespace {
 
+struct Close {
+    void operator()(void* library) const { dlclose(library); }
+};
 /// A loaded library; empty where it cannot be.
-using Library = std::unique_ptr<void, decltype(&dlclose)>;
+using Library = std::unique_ptr<void, Close>;
 
 }  // namespace
 
@@ -26,7 +29,7 @@ std::string draw_waveform(const EffectModel& model, const UnitKind& kind, const 
     const std::string command = fmt::format("'{}' --build '{}' --target '{}' >&2", GLINT_CMAKE, build.string(), target);
     if (std::system(command.c_str()) != 0) return fmt::format("no waveform: this failed: {}\n", command);
     const std::filesystem::path file = build / "waveforms" / (target + ".so");
-    const Library library(dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL), dlclose);
+    const Library library(dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL));
     if (!library) return fmt::format("no waveform: {}\n", dlerror());
     using Make = Unit*(const int*, std::size_t, std::uint64_t);
     const auto make = reinterpret_cast<Make*>(dlsym(library.get(), "glint_make_unit"));

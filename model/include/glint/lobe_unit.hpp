@@ -8,8 +8,8 @@
 
 namespace glint {
 
-/// The same bits as `model`, which has to outlive it, with ports of Kind: n (parameter, 10 bits, legal 1..1023), cos (dot,
-/// F + 2 bits with the sign, legal 0..2^F) and y (term, O + 1 bits). A cosine below 0 gives 0, not the lobe of 0.
+/// The same bits as `model`, which has to outlive it, with ports of Kind: n (parameter, 10 bits, legal 1..1023), cos
+/// (dot, F + 2 bits with the sign, legal 0..2^F) and y (term, O + 1 bits). A cosine below 0 gives 0, not the lobe of 0.
 std::unique_ptr<EffectModel> lobe_unit(const GoldenModel& model);
 
 }  // namespace glint
