@@ -244,7 +244,7 @@ private:
                                     : fmt::format("is not legal: {} integers", row.size()));
         };
         for (std::int64_t& code : row) {
-            while (*p == ' ') ++p;
+            while (&code != &row.front() && *p == ' ') ++p;
             const auto [next, error] = std::from_chars(p, end, code);
             if (error != std::errc{}) throw refuse();
             p = next;

@@ -73,17 +73,6 @@ class Runner(unittest.TestCase):
             rest = {name for name in properties if name not in proven}
             self.assertTrue(all(re.search(r"inv_after(_bound)?$", name) for name in rest), rest)  # bookkeeping nothing rests on
 
-    def test_wrappers_differ_in_numbers_only(self):
-        """Proven is that of p12."""
-        self.assertIn("bps", run.LOBES)
-        for lobe in run.LOBES:
-            numbers = run.word_lengths(lobe, "p12")
-            texts = set()
-            for profile in ("p8", "p12", "p16"):
-                text = run.wrapper_at_any_size(lobe, profile, numbers)
-                texts.add(text[text.index("#("):])
-            self.assertEqual(len(texts), 1, lobe)
-
     def test_arguments(self):
         for arguments, text in ((["--only", "nonsense"], "--only nonsense is no task"), (["--jobs", "0"], "--jobs 0")):
             done = subprocess.run([sys.executable, SCRIPT, *arguments], capture_output=True, text=True, check=False)

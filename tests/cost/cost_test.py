@@ -51,7 +51,7 @@ class Refusals(Cost):
             ("architecture 'pipelined' is not legal for bps", ["--fpga", "--architecture", "restoring,pipelined"]),
             ("architecture 'restoring:r0'", ["--fpga", "--lobe", "all", "--architecture", "pipelined,restoring:r0"]),
             ("'18,12' is not legal for table", ["--fpga", "--lobe", "table", "--profile", "18,12"]),
-            ("folder 'nowhere' has no glint_bps.v", ["--fpga", "--rtl", "nowhere"]),
+            ("folder 'nowhere' has no blocks/glint_delay.v", ["--fpga", "--rtl", "nowhere"]),
             ("'missing/x.json' cannot be written", ["--fpga", "--json", "missing/x.json"]),
             ("--check, --accuracy and --grid are not legal together", ["--fpga", "--check"]),
             ("--lobe is not legal here: .* --check takes a whole file", ["--check", "--lobe", "bps"]),
@@ -192,7 +192,7 @@ class Cache(Cost):
         rtl = self.folder / "rtl"
         shutil.copytree(ROOT / "rtl", rtl)
         check = ["cost", "--check", "--json", "x.json"]
-        unit = rtl / "glint_quadratic.v"
+        unit = rtl / "lobes/glint_quadratic.v"
         unit.write_text("//  said\n" + unit.read_text())
         self.cost(*small, "--rtl", "rtl", env=environment)
         self.equal(len(self.calls()), 1, "the unit alone")

@@ -24,7 +24,7 @@ const std::filesystem::path rtl = std::filesystem::path(GLINT_SOURCE_DIR) / "rtl
 /// What a unit takes of a device, with the harness taken off.
 Resources priced(Flow& flow, const Unit& unit, const Device& device, bool dsp = true) {
     std::vector<Source> sources;
-    sources.push_back({unit.module + ".v", read_file(rtl / (unit.module + ".v"))});
+    sources.push_back({unit.module + ".v", read_file(rtl / "blocks" / (unit.module + ".v"))});
     sources.push_back({"glint_harness.v", harness(unit)});
     const Resources whole = Flow::Netlist(flow, sources, device, dsp).resources();
     const Resources alone = Flow::Netlist(flow, {{"glint_harness.v", harness_alone(unit)}}, device, dsp).resources();
@@ -87,8 +87,8 @@ TEST_CASE("harness: the critical path of a unit with logic is the unit's, that o
     Flow flow(folder.path());
     const Unit unit{"glint_square", ".S(12), .R(12)", {{"enable_i"}, {"x_i", 13}}, {{"y_o", 13}}};
     const Device& device = find_device("hx8k");
-    const std::vector<Source> sources{{"glint_multiplier.v", read_file(rtl / "glint_multiplier.v")},
-                                      {"glint_square.v", read_file(rtl / "glint_square.v")},
+    const std::vector<Source> sources{{"glint_multiplier.v", read_file(rtl / "blocks/glint_multiplier.v")},
+                                      {"glint_square.v", read_file(rtl / "blocks/glint_square.v")},
                                       {"glint_harness.v", harness(unit)}};
     const Routing whole = Flow::Netlist(flow, sources, device, false).route(1);
     CHECK(whole.fits);
@@ -104,7 +104,7 @@ TEST_CASE("a unit larger than its device does not fit, and it says what is too l
     const TemporaryFolder folder;
     Flow flow(folder.path());
     const Unit unit = delay(300, 18);
-    const std::vector<Source> sources{{"glint_delay.v", read_file(rtl / "glint_delay.v")},
+    const std::vector<Source> sources{{"glint_delay.v", read_file(rtl / "blocks/glint_delay.v")},
                                       {"glint_harness.v", harness(unit)}};
     const Routing found = Flow::Netlist(flow, sources, find_device("up5k"), false).route(1);
     CHECK_FALSE(found.fits);

@@ -39,10 +39,10 @@ def main():
                 folder.joinpath(path).symlink_to(target)
         environment = {**os.environ, "PATH": f"{folder}/bin:{os.environ['PATH']}"}
 
-        _, text = blocks("C simulation without a tool")[0]
-        _, *commands, printed = text.splitlines()  # the first builds Glint
+        (_, text), (_, printed) = blocks("C simulation without a tool")[:2]
+        _, *commands = text.splitlines()  # the first builds Glint
         outputs = [run(line, folder, environment) for line in commands]
-        if outputs[-1] != printed + "\n":
+        if outputs[-1] != printed:
             sys.exit(f"FAILED: '{outputs[-1]}' is not what the page shows: '{printed}'")
 
         _, text = blocks("Custom word lengths")[0]

@@ -123,3 +123,26 @@ TEST_CASE("the wrapper of an effect with another lobe is that with bps, but for 
         }
     }
 }
+
+TEST_CASE("AXI4-Stream wrappers of a lobe differ in numbers only: what is proven of the one at p12 holds for all") {
+    const auto without_numbers = [](const Lobe& lobe, const Profile& profile) {
+        for (const GeneratedFile& file : lobe.emit(profile, default_architecture(lobe))) {
+            if (file.name.find("_axis_") == std::string::npos || file.target != GeneratedFile::Target::verilog)
+                continue;
+            std::string out;
+            for (const char c : file.text.substr(file.text.find("#("))) {
+                const bool digit = c >= '0' && c <= '9';
+                if (!digit || out.back() != '#') out += digit ? '#' : c;
+            }
+            return out;
+        }
+        return std::string();
+    };
+    for (const Lobe& lobe : lobes()) {
+        CAPTURE(lobe.name);
+        const std::string proven = without_numbers(lobe, parse_profile("p12"));
+        CHECK(proven.find("s_axis_tdata") != std::string::npos);
+        CHECK(without_numbers(lobe, parse_profile("p8")) == proven);
+        CHECK(without_numbers(lobe, parse_profile("p16")) == proven);
+    }
+}
