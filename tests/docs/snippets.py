@@ -47,8 +47,8 @@ class Checker:
             self.helps[words] = result.stdout if result.returncode == 0 else None
         return self.helps[words]
 
-    def command(self, line):
-        """A command that takes too long to run here: does it exist, and does it know its options?"""
+    def command(self, line, made):
+        """A command that takes too long to run here: does it exist, or is it `made` before, and does it know its options?"""
         try:
             words = shlex.split(line, comments=True)
         except ValueError as error:
@@ -58,6 +58,8 @@ class Checker:
         if not words:
             return
         program, name = words[0], Path(words[0]).name
+        if program in made:
+            return
         if name in PROGRAMS:
             asked = [str(self.build / name)]
             if name == "glint" and len(words) > 1 and not words[1].startswith("-"):
@@ -120,8 +122,9 @@ class Checker:
                 if mark == "run":
                     printed = self.run(text)
                 else:
+                    made = re.findall(r" -o (\S+)", text)
                     for line in text.replace("\\\n", " ").splitlines():
-                        self.command(line)
+                        self.command(line, made)
             elif language == "cpp":
                 self.compile(text)
             else:
