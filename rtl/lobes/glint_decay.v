@@ -34,7 +34,7 @@ module glint_decay #(
     output wire             clamped_o, // an input was out of range and was corrected
     output wire             table_enable_o,
     output wire [$clog2(F)+A-1:0] logarithm_address_o,
-    input  wire   [2*V-A+3:0] logarithm_entry_i,  // {base, slope}
+    input  wire [2*V+3-(A<4?A:4):0] logarithm_entry_i,  // {base, slope}
     output wire       [N+8:0] exponent_address_o,
     input  wire   [V+4*N-1:0] exponent_entry_i,   // {k + 6, lambda}; without N, lambda
     output wire     [W+H-1:0] fall_address_o,
@@ -143,7 +143,7 @@ module glint_decay #(
     // w is base and a part of slope; the octaves of d and n come with base.
     localparam R       = M - A;
     localparam BASE_W  = V + 2;
-    localparam SLOPE_W = V - A + 2;
+    localparam SLOPE_W = V + 2 - (A < 4 ? A : 4);
     assign logarithm_address_o = {octave_d, m[M-1:R]};
     reg [R-1:0] r_q;
     reg [E_W:0] octaves_q;

@@ -79,7 +79,7 @@ struct DecayFormat {
     double real(double c, double n) const { return reference::blinn_phong(c, n); }
 
     int base_bits() const { return V + 2; }
-    int slope_bits() const { return V - A + 2; }
+    int slope_bits() const { return V - std::min(A, 4) + 2; }
     int step_bits() const { return O + G - H - 1; }
 };
 
@@ -244,7 +244,8 @@ Lobe decay_lobe() {
             decay_hard_cases,
             {},
             false,
-            decay_numbers};
+            decay_numbers,
+            2.0};
 }
 
 }  // namespace glint
