@@ -4,6 +4,7 @@
 // at the end. No valid bits and no reset: its owner counts clocks. Table of ports and parameters: docs/rtl.md.
 
 `default_nettype none
+// verilator lint_off TIMESCALEMOD
 
 module glint_normalise #(
     parameter WIDTH   = 16,  // bits of x, 5 .. 32

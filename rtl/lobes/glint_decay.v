@@ -4,6 +4,7 @@
 // Ports and parameters: there too; handshake: docs/rtl.md.
 
 `default_nettype none
+// verilator lint_off TIMESCALEMOD
 
 module glint_decay #(
     parameter F = 18,  // fraction bits of the cosine
@@ -195,11 +196,12 @@ module glint_decay #(
     // The table of fall holds 2^W octaves of x, which end at x = 16 (mod 2^W). Before them y stays next to 1, after them 0.
     localparam       [31:0] END   = (1 << E_W) + 10;
     localparam       [31:0] BEGIN = END - (1 << W);
-    localparam [E_W+1:0] LAST  = END[E_W+1:0];
-    localparam [E_W+1:0] START = BEGIN[E_W+1:0];
+    // As a vector of the answers: a comparison would become an adder.
+    localparam [(4<<E_W)-1:0] EARLY = ({{((4 << E_W) - 1) {1'b0}}, 1'b1} << BEGIN) - 1'b1;
+    localparam [(4<<E_W)-1:0] LATE  = {(4 << E_W) {1'b1}} << END;
     wire [E_W+1:0] octave = x_q[X_W-1:V];
-    wire           early = octave < START;
-    wire           late  = octave >= LAST;
+    wire           early  = EARLY[octave];
+    wire           late   = LATE[octave];
     assign fall_address_o = x_q[V+W-1:Q];
     reg  [Q-1:0] q_q;
     reg          early_q, late_q;

@@ -163,7 +163,7 @@ std::unique_ptr<GoldenModel> make_decay(const Profile& profile) {
 
 Table piece_table(std::string_view name, std::string module, const std::vector<DecayFormat::Piece>& pieces,
                   int base_bits, int slope_bits) {
-    Table out{std::string(name), {{"base", base_bits}, {"slope", slope_bits}}, {}, std::move(module)};
+    Table out{std::string(name), {{"base", base_bits}, {"slope", slope_bits}}, {}, std::move(module), true};
     for (const DecayFormat::Piece& p : pieces) {
         if (p.base < 0 || p.slope < 0 || p.base >> base_bits != 0 || p.slope >> slope_bits != 0) {
             throw Error(
@@ -177,7 +177,7 @@ Table piece_table(std::string_view name, std::string module, const std::vector<D
 std::vector<GeneratedFile> emit_decay(const Profile& profile, const Architecture& architecture) {
     const DecayFormat f = decay_format(profile);
     const auto text = [](int value) { return std::to_string(value); };
-    Table exponent{"exponent", {{"lambda", f.V}}, {}, fmt::format("log2_n_{}_{}", f.exponent.size() << f.N, f.V)};
+    Table exponent{"exponent", {{"lambda", f.V}}, {}, fmt::format("log2_n_{}_{}", f.exponent.size() << f.N, f.V), true};
     if (f.N != 0) exponent.fields.insert(exponent.fields.begin(), {"octave", 4});
     for (int n = f.N != 0 ? 0 : 512; n < 1024; ++n) {
         const int k = std::bit_width(static_cast<unsigned>(n | 1)) - 1;
