@@ -391,6 +391,7 @@ HardwareUnit core_unit(std::string_view lobe, const Profile& profile, const Arch
     unit.O = profile.O;
     unit.core = fmt::format("glint_{}", lobe);
     unit.files = files_of(unit.core, hardware);
+    use_family(unit, architecture.family);
     unit.files.push_back({unit.name + ".v", true});
     unit.ports = stream_ports({{"n_i", false, 10, "", false, "specular exponent; legal 1 to 1023"},
                                {"cos_i", false, profile.F + 2, "", true,
