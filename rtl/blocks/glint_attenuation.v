@@ -5,6 +5,7 @@
 // there. The four tables log2 are beside the unit. No valid bits and no reset: its owner counts clocks.
 
 `default_nettype none
+// verilator lint_off TIMESCALEMOD
 
 module glint_attenuation #(
     parameter F = 18,  // fraction bits of the dot products

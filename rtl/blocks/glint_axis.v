@@ -5,6 +5,7 @@
 // The generated wrappers connect it to their unit. Table of ports and parameters: docs/rtl.md.
 
 `default_nettype none
+// verilator lint_off TIMESCALEMOD
 
 module glint_axis #(
     parameter F      = 18,  // fraction bits of the cosine

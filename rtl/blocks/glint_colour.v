@@ -1,6 +1,7 @@
 // glint_colour: a channel of a material's colour as a port carries it, cut to 1 (docs/effects.md). No clock.
 
 `default_nettype none
+// verilator lint_off TIMESCALEMOD
 
 module glint_colour #(
     parameter O = 12  // fraction bits, at least 1

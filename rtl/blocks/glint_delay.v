@@ -2,6 +2,7 @@
 // Table of ports and parameters: docs/rtl.md.
 
 `default_nettype none
+// verilator lint_off TIMESCALEMOD
 
 module glint_delay #(
     parameter WIDTH  = 1,

@@ -6,6 +6,7 @@
 // how many. All but the iterative one take new operands every clock. Table of ports and parameters: docs/rtl.md.
 
 `default_nettype none
+// verilator lint_off TIMESCALEMOD
 
 module glint_divider #(
     parameter X_W            = 34,  // dividend bits; Q_W < X_W <= Y_W + Q_W

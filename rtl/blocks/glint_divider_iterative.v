@@ -5,6 +5,7 @@
 // until the next start. Ports and parameters: docs/rtl.md.
 
 `default_nettype none
+// verilator lint_off TIMESCALEMOD
 
 module glint_divider_iterative #(
     parameter X_W = 34,  // dividend bits; Q_W < X_W <= Y_W + Q_W

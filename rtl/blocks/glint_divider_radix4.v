@@ -6,6 +6,7 @@
 // REGISTER_EVERY) clocks with enable_i = 1 lead from operands to result. Ports and parameters: docs/rtl.md.
 
 `default_nettype none
+// verilator lint_off TIMESCALEMOD
 
 module glint_divider_radix4 #(
     parameter X_W            = 34,  // dividend bits; Q_W < X_W <= Y_W + Q_W

@@ -7,6 +7,7 @@
 // ROUNDS = ceil(Q_W / 16). Derivation of the widths, ports and parameters: docs/rtl.md.
 
 `default_nettype none
+// verilator lint_off TIMESCALEMOD
 
 module glint_divider_reciprocal #(
     parameter X_W               = 34,   // dividend bits; Q_W < X_W <= Y_W + Q_W

@@ -1,6 +1,7 @@
 // glint_dot: a dot product of unit vectors as a port carries it, cut to -1 .. 1 (docs/effects.md). No clock.
 
 `default_nettype none
+// verilator lint_off TIMESCALEMOD
 
 module glint_dot #(
     parameter F = 18  // fraction bits, at least 1

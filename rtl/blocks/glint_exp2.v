@@ -5,6 +5,7 @@
 // counts clocks.
 
 `default_nettype none
+// verilator lint_off TIMESCALEMOD
 
 module glint_exp2 #(
     parameter I_W = 15,  // integer bits of t, at least 6

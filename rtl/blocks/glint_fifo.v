@@ -2,6 +2,7 @@
 // has to know that there is room. What is pushed can be taken two clocks later. Table of ports and parameters: docs/rtl.md.
 
 `default_nettype none
+// verilator lint_off TIMESCALEMOD
 
 module glint_fifo #(
     parameter WIDTH     = 1,

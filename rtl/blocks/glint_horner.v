@@ -6,6 +6,7 @@
 // docs/rtl.md.
 
 `default_nettype none
+// verilator lint_off TIMESCALEMOD
 
 module glint_horner #(
     parameter S                 = 15,  // fraction bits of the quotient; O <= S

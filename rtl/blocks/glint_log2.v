@@ -5,6 +5,7 @@
 // counts clocks.
 
 `default_nettype none
+// verilator lint_off TIMESCALEMOD
 
 module glint_log2 #(
     parameter F   = 18,  // fraction bits of C, 8 .. 30

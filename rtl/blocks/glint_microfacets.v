@@ -5,6 +5,7 @@
 // Ports and parameters: docs/rtl.md; contract: docs/effects/cook_torrance.md.
 
 `default_nettype none
+// verilator lint_off TIMESCALEMOD
 
 module glint_microfacets #(
     parameter F = 18,  // fraction bits of the dot products

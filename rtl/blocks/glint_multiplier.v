@@ -6,6 +6,7 @@
 // No valid bits and no reset: its owner counts clocks. Table of ports and parameters: docs/rtl.md.
 
 `default_nettype none
+// verilator lint_off TIMESCALEMOD
 
 module glint_multiplier #(
     parameter A_W    = 18,  // bits of a

@@ -5,6 +5,7 @@
 // No valid bits and no reset: its owner counts clocks.
 
 `default_nettype none
+// verilator lint_off TIMESCALEMOD
 
 module glint_parabola #(
     parameter R    = 12,  // fraction bits of the argument, at least 1

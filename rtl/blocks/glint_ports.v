@@ -6,6 +6,7 @@
 // iterative divider one input at a time is in the unit; n and C stay until the next. Ports and parameters: docs/rtl.md.
 
 `default_nettype none
+// verilator lint_off TIMESCALEMOD
 
 module glint_ports #(
     parameter F                 = 18,  // fraction bits of the cosine

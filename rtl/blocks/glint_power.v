@@ -10,6 +10,7 @@
 // reset: its owner counts clocks. Table of ports and parameters: docs/rtl.md.
 
 `default_nettype none
+// verilator lint_off TIMESCALEMOD
 
 module glint_power #(
     parameter S       = 17,  // fraction bits of r and its powers

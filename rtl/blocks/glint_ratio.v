@@ -6,6 +6,7 @@
 // docs/lobes/polynomial.md. No valid bits and no reset: its owner counts clocks. Table of ports and parameters: docs/rtl.md.
 
 `default_nettype none
+// verilator lint_off TIMESCALEMOD
 
 module glint_ratio #(
     parameter F                 = 18,  // fraction bits of the cosine

@@ -4,6 +4,7 @@
 // there. The table exp2 is beside the unit. No valid bits and no reset: its owner counts clocks.
 
 `default_nettype none
+// verilator lint_off TIMESCALEMOD
 
 module glint_scaled_power #(
     parameter I_W   = 10,  // integer bits of z with the sign; 2^(I_W-1) above O + 3 and above 8 + BELOW

@@ -3,6 +3,7 @@
 // The result comes five clocks after join_i: one for the sum, four of glint_effect_tint. Never stands still.
 
 `default_nettype none
+// verilator lint_off TIMESCALEMOD
 
 module glint_shade_part #(
     parameter         O         = 12,  // fraction bits of terms and colours

@@ -3,6 +3,7 @@
 // Table of ports and parameters: docs/rtl.md.
 
 `default_nettype none
+// verilator lint_off TIMESCALEMOD
 
 module glint_skid #(
     parameter WIDTH = 1

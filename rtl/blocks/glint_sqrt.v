@@ -6,6 +6,7 @@
 // has no valid bits and no reset: its owner counts clocks. Table of ports and parameters: docs/rtl.md.
 
 `default_nettype none
+// verilator lint_off TIMESCALEMOD
 
 module glint_sqrt #(
     parameter Y_W = 19  // bits of the root = stages, at least 2

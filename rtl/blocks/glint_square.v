@@ -4,6 +4,7 @@
 // No valid bits and no reset: its owner counts clocks. Table of ports and parameters: docs/rtl.md.
 
 `default_nettype none
+// verilator lint_off TIMESCALEMOD
 
 module glint_square #(
     parameter S = 17,  // fraction bits of x

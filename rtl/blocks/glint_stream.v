@@ -4,6 +4,7 @@
 // ports and parameters, handshake: docs/rtl.md.
 
 `default_nettype none
+// verilator lint_off TIMESCALEMOD
 
 module glint_stream #(
     parameter LATENCY = 2,  // clocks from an input to its result, at least 2

@@ -3,6 +3,7 @@
 // Contract, ports, latency: docs/effects/ambient.md.
 
 `default_nettype none
+// verilator lint_off TIMESCALEMOD
 
 module glint_effect_ambient #(
     parameter O     = 12,  // fraction bits of the colours

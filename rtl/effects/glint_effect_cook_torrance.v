@@ -3,6 +3,7 @@
 // Contract, ports, latency: docs/effects/cook_torrance.md; a value here carries the name that it has there.
 
 `default_nettype none
+// verilator lint_off TIMESCALEMOD
 
 module glint_effect_cook_torrance #(
     parameter F     = 18,  // fraction bits of the dot products, (O + 14) / 2 .. O + 9

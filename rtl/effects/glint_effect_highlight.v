@@ -4,6 +4,7 @@
 // Contract, ports, latency: docs/effects/phong.md.
 
 `default_nettype none
+// verilator lint_off TIMESCALEMOD
 
 module glint_effect_highlight #(
     parameter F     = 18,  // fraction bits of the dot products

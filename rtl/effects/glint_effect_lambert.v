@@ -3,6 +3,7 @@
 // Contract, ports, latency: docs/effects/lambert.md.
 
 `default_nettype none
+// verilator lint_off TIMESCALEMOD
 
 module glint_effect_lambert #(
     parameter F     = 18,  // fraction bits of the dot product, at least O

@@ -3,6 +3,7 @@
 // Contract, ports, latency: docs/effects/oren_nayar.md; a value here carries the name that it has there.
 
 `default_nettype none
+// verilator lint_off TIMESCALEMOD
 
 module glint_effect_oren_nayar #(
     parameter F     = 18,  // fraction bits of the dot products, at least O + 3

@@ -4,6 +4,7 @@
 // follows never stand still: as many inputs are accepted as the last memory can hold. Contract: docs/effects/shade.md.
 
 `default_nettype none
+// verilator lint_off TIMESCALEMOD
 
 module glint_effect_shade #(
     parameter         O         = 12,  // fraction bits of terms and colours

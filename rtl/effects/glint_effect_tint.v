@@ -3,6 +3,7 @@
 // Contract, ports, latency: docs/effects/tint.md.
 
 `default_nettype none
+// verilator lint_off TIMESCALEMOD
 
 module glint_effect_tint #(
     parameter O     = 12,  // fraction bits of the term and of the colours

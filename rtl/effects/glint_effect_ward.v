@@ -4,6 +4,7 @@
 // the unit: an entry comes one clock with table_enable_o after its address.
 
 `default_nettype none
+// verilator lint_off TIMESCALEMOD
 
 module glint_effect_ward #(
     parameter F     = 18,  // fraction bits of the dot products, at least O + 3

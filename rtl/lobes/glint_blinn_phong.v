@@ -4,6 +4,7 @@
 // Ports and parameters: there too; handshake: docs/rtl.md.
 
 `default_nettype none
+// verilator lint_off TIMESCALEMOD
 
 module glint_blinn_phong #(
     parameter F     = 18,  // fraction bits of the cosine

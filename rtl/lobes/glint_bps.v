@@ -5,6 +5,7 @@
 // writes one wrapper per profile (rtl/generated/). Table of ports and parameters, latency, handshake: docs/rtl.md.
 
 `default_nettype none
+// verilator lint_off TIMESCALEMOD
 
 module glint_bps #(
     parameter F     = 18,  // fraction bits of the cosine

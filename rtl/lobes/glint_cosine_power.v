@@ -4,6 +4,7 @@
 // handshake: docs/rtl.md.
 
 `default_nettype none
+// verilator lint_off TIMESCALEMOD
 
 module glint_cosine_power #(
     parameter F      = 18,  // fraction bits of the cosine

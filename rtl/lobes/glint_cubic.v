@@ -4,6 +4,7 @@
 // in the generated wrapper. Table of ports and parameters, latency: docs/lobes/cubic.md; handshake: docs/rtl.md.
 
 `default_nettype none
+// verilator lint_off TIMESCALEMOD
 
 module glint_cubic #(
     parameter F     = 18,  // fraction bits of the cosine

@@ -5,6 +5,7 @@
 // (rtl/generated/). Table of ports, handshake: docs/rtl.md.
 
 `default_nettype none
+// verilator lint_off TIMESCALEMOD
 
 module glint_quadratic #(
     parameter F     = 18,  // fraction bits of the cosine

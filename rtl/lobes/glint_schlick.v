@@ -4,6 +4,7 @@
 // ports and parameters, latency, handshake: docs/rtl.md.
 
 `default_nettype none
+// verilator lint_off TIMESCALEMOD
 
 module glint_schlick #(
     parameter F     = 18,  // fraction bits of the cosine

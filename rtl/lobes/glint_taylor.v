@@ -4,6 +4,7 @@
 // parameters, latency: there; handshake: docs/rtl.md.
 
 `default_nettype none
+// verilator lint_off TIMESCALEMOD
 
 module glint_taylor #(
     parameter F     = 18,  // fraction bits of the cosine, 8 .. 29

@@ -127,10 +127,27 @@ def lint_damaged(tool, unit, folder):
         raise Failed(f"{tool} says nothing about a port of {unit['name']} that is too narrow")
 
 
+def lint_timescale(folder):
+    """Every file of rtl/ in Verilator before and behind a user's file with a `timescale, and one with none."""
+    user = Path(folder) / "user.v"
+    ours = sorted(RTL.rglob("*.v"))
+    for timescale in ("`timescale 1ns/1ps\n", ""):
+        user.write_text(f"{timescale}module user(input wire a, output wire b);\n    assign b = a;\nendmodule\n")
+        for files in ([user, *ours], [*ours, user]):
+            silent(command("verilator", "user", files, {}))
+    bare = Path(folder) / "bare.v"
+    bare.write_text("module bare(input wire a, output wire b);\n    assign b = a;\nendmodule\n")
+    user.write_text("`timescale 1ns/1ps\n" + user.read_text())
+    if "TIMESCALEMOD" not in complaints(command("verilator", "user", [*ours, bare, user], {})):
+        raise Failed("verilator says nothing about a file that has no `timescale")
+
+
 def lint(tool, folders):
     done = damaged = 0
     listed = set()
     with tempfile.TemporaryDirectory() as scratch:
+        if tool == "verilator":
+            lint_timescale(scratch)
         for folder in map(Path, folders):
             for unit in units.units(folder).values():
                 lint_unit(tool, folder.resolve(), unit, scratch)
