@@ -6,6 +6,7 @@
 // bits and no reset: its owner counts clocks.
 
 `default_nettype none
+// verilator lint_off TIMESCALEMOD
 
 module glint_multiplier_sliced #(
     parameter W      = 18,  // bits of a block's operands

@@ -5,6 +5,7 @@
 // It has no reset (RST0 has to be 0), no other clocks, no cascade, no third operand, and no time.
 
 `default_nettype none
+// verilator lint_off TIMESCALEMOD
 
 module MULT18X18D #(
     parameter REG_INPUTA_CLK   = "NONE",

@@ -6,6 +6,7 @@
 // holds and the resets are not there; the parameters and inputs of these have to be as glint_multiplier_block has them.
 
 `default_nettype none
+// verilator lint_off TIMESCALEMOD
 
 module SB_MAC16 #(
     parameter A_REG                    = 0,

@@ -3,6 +3,7 @@
 // out of a block is long; 0, none.
 
 `default_nettype none
+// verilator lint_off TIMESCALEMOD
 
 module glint_multiplier_block #(
     parameter SIGNED = 0,  // 1: a is signed; b is unsigned

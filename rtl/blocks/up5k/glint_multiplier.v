@@ -3,6 +3,7 @@
 // It takes the place of rtl/blocks/glint_multiplier.v in a list of files: same ports, parameters, bits and clocks.
 
 `default_nettype none
+// verilator lint_off TIMESCALEMOD
 
 module glint_multiplier #(
     parameter A_W    = 18,  // bits of a

@@ -3,6 +3,7 @@
 // none. Synthesize without `-dsp`: Yosys 0.23 then takes the registers out of a block that stands in the source.
 
 `default_nettype none
+// verilator lint_off TIMESCALEMOD
 
 module glint_multiplier_block #(
     parameter SIGNED = 0,  // 1: a is signed; b is unsigned
