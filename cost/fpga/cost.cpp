@@ -71,13 +71,27 @@ std::vector<Request> requests(const Options& options, Flow& flow) {
     for (PricedUnit& unit : priced_units(options)) {
         const auto what = std::make_shared<const PricedUnit>(std::move(unit));
         for (const Device* device : devices) {
+            if (!what->family.empty() && what->family != device->blocks) continue;
+            if (!what->family.empty()) {  // its blocks are named in the Verilog
+                out.push_back({what, device, true});
+                continue;
+            }
             for (const bool dsp : dsp_choices(*device, options.dsp)) out.push_back({what, device, dsp});
         }
     }
+    if (out.empty())
+        throw Error(fmt::format("architecture '{}' is of no device of '{}'", options.architecture, options.device));
     return out;
 }
 
-Point price(Flow& flow, const Request& request, const std::vector<Source>& sources, const std::vector<int>& seeds) {
+/// Whether synthesis may put products into DSPs. A unit with blocks of its own has none to put there, and synth_ice40
+/// -dsp of Yosys 0.23 takes the registers out of its blocks.
+bool infers_dsps(const PricedUnit& unit, const Device& device, bool dsp) {
+    return dsp && (unit.family.empty() || device.family->dsp_on.empty());
+}
+
+Point price(Flow& flow, const Request& request, const std::vector<Source>& sources, const std::string& rtl,
+            const std::vector<int>& seeds) {
     const Device& device = *request.device;
     const Unit& unit = request.what->unit;
     Point out = request.what->point;
@@ -87,14 +101,17 @@ Point price(Flow& flow, const Request& request, const std::vector<Source>& sourc
         const std::vector<Source>& files = request.what->design.generated;
         out.error = flow.cached("error" + files.front().text + files.back().text, [&] { return table_error(*rival); });
     }
-    const Clocks clocks = flow.count_clocks(sources, unit, request.what->burst);
+    std::vector<Source> simulated = read_models(rtl, request.what->design);
+    simulated.insert(simulated.end(), sources.begin(), sources.end());
+    const Clocks clocks = flow.count_clocks(simulated, unit, request.what->burst);
     out.latency = clocks.latency;
     out.interval = clocks.interval;
 
+    const bool infers = infers_dsps(*request.what, device, request.dsp);
     std::vector<Source> with_harness = sources;
     with_harness.push_back({"glint_harness.v", harness(unit)});
-    Flow::Netlist whole(flow, with_harness, device, request.dsp);
-    Flow::Netlist alone(flow, {{"glint_harness.v", harness_alone(unit)}}, device, request.dsp);
+    Flow::Netlist whole(flow, with_harness, device, infers);
+    Flow::Netlist alone(flow, {{"glint_harness.v", harness_alone(unit)}}, device, infers);
     const Resources all = whole.resources();
     const Resources around = alone.resources();
     out.resources = {all.luts - around.luts, all.registers - around.registers, all.carries - around.carries,
@@ -122,7 +139,7 @@ Point price(Flow& flow, const Request& request, const std::vector<Source>& sourc
         out.fits = false;
         out.why = fmt::format("no seed is routed in {} s of processor time", router_cpu_seconds);
     }
-    out.hash = price_hash(with_harness, device, request.dsp);
+    out.hash = price_hash(with_harness, device, infers);
     return out;
 }
 
@@ -144,8 +161,9 @@ void measure(const Options& options) {
     for (const Request& request : all) sources.push_back(read_sources(options.rtl, request.what->design));
 
     std::vector<Point> points(all.size());
-    parallel_tasks(all.size(), options.jobs, io::progress_bar("cost"),
-                   [&] { return [&](std::size_t i) { points[i] = price(flow, all[i], sources[i], seeds); }; });
+    parallel_tasks(all.size(), options.jobs, io::progress_bar("cost"), [&] {
+        return [&](std::size_t i) { points[i] = price(flow, all[i], sources[i], options.rtl, seeds); };
+    });
     if (!options.json.empty()) io::write_file(options.json, merged(options.json, file, tools, points));
     fmt::print("{}", points_table(points, file));
 }
@@ -161,7 +179,8 @@ bool is_current(const Point& point, const std::string& rtl) {
     const PricedUnit priced = priced_units(options).front();
     std::vector<Source> sources = read_sources(rtl, priced.design);
     sources.push_back({"glint_harness.v", harness(priced.unit)});
-    return price_hash(sources, find_device(point.device), point.dsp) == point.hash;
+    const Device& device = find_device(point.device);
+    return price_hash(sources, device, infers_dsps(priced, device, point.dsp)) == point.hash;
 }
 
 /// A line for every lobe or effect that the file has no price of, or not at every shipped profile, listed architecture

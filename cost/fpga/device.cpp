@@ -65,9 +65,17 @@ bool matches(std::string_view pattern, std::string_view name) {
 std::span<const Device> devices() {
     static const std::array<Device, 5> all{{
         {"hx8k", "Lattice iCE40 HX8K", &ice40, {"--hx8k", "--package", "ct256"}, 7680, 0, 32, false},
-        {"up5k", "Lattice iCE40 UltraPlus UP5K", &ice40, {"--up5k", "--package", "sg48"}, 5280, 8, 30, true},
-        {"ecp5-25k", "Lattice ECP5 LFE5U-25F", &ecp5, {"--25k", "--package", "CABGA381"}, 24288, 28, 56, true},
-        {"ecp5-85k", "Lattice ECP5 LFE5U-85F", &ecp5, {"--85k", "--package", "CABGA381"}, 83640, 156, 208, true},
+        {"up5k", "Lattice iCE40 UltraPlus UP5K", &ice40, {"--up5k", "--package", "sg48"}, 5280, 8, 30, true, "up5k"},
+        {"ecp5-25k", "Lattice ECP5 LFE5U-25F", &ecp5, {"--25k", "--package", "CABGA381"}, 24288, 28, 56, true, "ecp5"},
+        {"ecp5-85k",
+         "Lattice ECP5 LFE5U-85F",
+         &ecp5,
+         {"--85k", "--package", "CABGA381"},
+         83640,
+         156,
+         208,
+         true,
+         "ecp5"},
         {"xc7", "Xilinx 7 series", &xc7, {}, 0, 0, 0, true},
     }};
     return all;

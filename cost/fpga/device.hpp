@@ -40,6 +40,7 @@ struct Device {
     int dsps = 0;
     int brams = 0;
     bool has_dsps = false;
+    std::string_view blocks = {};  ///< the glint::Family whose architectures it can have
 };
 
 std::span<const Device> devices();

@@ -153,6 +153,7 @@ std::string to_text(const Exchange& exchange, const Unit& unit) {
 
 Design design_of(const std::vector<GeneratedFile>& files) {
     Design out;
+    for (const HardwareUnit::File& file : files.front().unit->simulation) out.simulation.push_back(file.name);
     for (const HardwareUnit::File& file : files.front().unit->files) {
         if (!file.generated) {
             out.by_hand.push_back(file.name);
@@ -165,9 +166,11 @@ Design design_of(const std::vector<GeneratedFile>& files) {
     return out;
 }
 
-std::vector<Source> read_sources(const fs::path& rtl, const Design& design) {
+namespace {
+
+std::vector<Source> read_files(const fs::path& rtl, const std::vector<std::string>& names) {
     std::vector<Source> out;
-    for (const std::string& name : design.by_hand) {
+    for (const std::string& name : names) {
         if (!fs::is_regular_file(rtl / name)) {
             throw Error(
                 fmt::format("folder '{}' has no {}: --rtl names the project's folder of Verilog", rtl.string(), name));
@@ -175,6 +178,17 @@ std::vector<Source> read_sources(const fs::path& rtl, const Design& design) {
         out.push_back({fs::path(name).filename(), io::read_file(rtl / name)});
     }
     std::sort(out.begin(), out.end(), [](const Source& a, const Source& b) { return a.name < b.name; });
+    return out;
+}
+
+}  // namespace
+
+std::vector<Source> read_models(const fs::path& rtl, const Design& design) {
+    return read_files(rtl, design.simulation);
+}
+
+std::vector<Source> read_sources(const fs::path& rtl, const Design& design) {
+    std::vector<Source> out = read_files(rtl, design.by_hand);
     out.insert(out.end(), design.generated.begin(), design.generated.end());
     return out;
 }

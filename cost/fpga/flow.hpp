@@ -34,8 +34,9 @@ struct Source {
 
 /// What a unit is made of.
 struct Design {
-    std::vector<std::string> by_hand;  ///< files of rtl/, by their paths there
-    std::vector<Source> generated;     ///< the unit's own is the last
+    std::vector<std::string> by_hand;          ///< files of rtl/, by their paths there
+    std::vector<Source> generated;             ///< the unit's own is the last
+    std::vector<std::string> simulation = {};  ///< of rtl/, too: models of primitives, for Icarus Verilog alone
 };
 
 /// Of the unit whose wrapper is the first of these files (`Lobe::emit`, `Effect::emit`), as its description says.
@@ -43,6 +44,8 @@ Design design_of(const std::vector<GeneratedFile>& files);
 
 /// Its files, those by hand from the folder `rtl` and first. Throws Error: one is not there.
 std::vector<Source> read_sources(const std::filesystem::path& rtl, const Design& design);
+/// Those that a simulator needs beside them.
+std::vector<Source> read_models(const std::filesystem::path& rtl, const Design& design);
 
 /// 64 bits (FNV-1a) in hexadecimal.
 std::string hash(std::string_view text);

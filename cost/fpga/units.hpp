@@ -17,6 +17,7 @@ struct PricedUnit {
     Point point;  ///< what it is called; its prices are not filled in
     Unit unit;    ///< as it is instantiated
     Design design;
+    std::string family;  ///< devices whose blocks it is built of; empty: any
     std::vector<Exchange> burst;
     std::shared_ptr<const GoldenModel> rival;  ///< of one: its error is measured when it is priced; null for the lobes
 };

@@ -9,6 +9,7 @@
 
 #include "glint/error.hpp"
 #include "glint/lobes.hpp"
+#include "glint/manifest.hpp"
 
 namespace glint {
 namespace {
@@ -33,11 +34,22 @@ constexpr int most_rows = 32;
 constexpr int most_stages = 4;
 
 std::string legal(const Lobe& lobe) {
-    if (!lobe.divider) return fmt::format("pipelined[:mN], N = 1 to {}", most_stages);
-    std::string out;
+    std::string out, names;
+    for (const Family& family : families()) names += fmt::format("{}{}", names.empty() ? "" : " or ", family.name);
+    if (!lobe.divider) return fmt::format("pipelined[:mN][:FAMILY], N = 1 to {}, FAMILY {}", most_stages, names);
     for (const Divider& divider : dividers)
-        out += fmt::format("{}{}[:mN], ", divider.name, divider.rows ? "[:rN]" : "");
-    return out + fmt::format("N of r 1 to {}, N of m 1 to {}", most_rows, most_stages);
+        out += fmt::format("{}{}[:mN][:FAMILY], ", divider.name, divider.rows ? "[:rN]" : "");
+    return out + fmt::format("N of r 1 to {}, N of m 1 to {}, FAMILY {}", most_rows, most_stages, names);
+}
+
+/// The ":FAMILY" that ends `rest`, taken off; empty where there is none.
+std::string take_family(std::string_view& rest) {
+    for (const Family& family : families()) {
+        if (!rest.ends_with(fmt::format(":{}", family.name))) continue;
+        rest.remove_suffix(family.name.size() + 1);
+        return std::string(family.name);
+    }
+    return {};
 }
 
 /// The N of ":rN" or ":mN", taken off the front of `rest`; 1 where there is none; nothing where it is not legal.
@@ -59,14 +71,16 @@ Architecture parse_architecture(const Lobe& lobe, std::string_view text) {
     const auto* divider =
         std::find_if(dividers.begin(), dividers.end(), [&](const Divider& d) { return d.name == base; });
     if (lobe.divider ? divider == dividers.end() : base != "pipelined") throw refused;
+    const std::string family = take_family(rest);
     const bool rows = lobe.divider && divider->rows;
     const std::optional<int> register_every = rows ? take_number(rest, 'r', most_rows) : 1;
     const std::optional<int> stages = register_every ? take_number(rest, 'm', most_stages) : std::nullopt;
     if (!stages || !rest.empty()) throw refused;
 
-    Architecture out{std::string(base), {}};
+    Architecture out{std::string(base), {}, family};
     if (*register_every != 1) out.name += fmt::format(":r{}", *register_every);
     if (*stages != 1) out.name += fmt::format(":m{}", *stages);
+    if (!family.empty()) out.name += ':' + family;
     if (lobe.divider) {
         out.parameters = {{"DIVIDER", static_cast<int>(divider - dividers.begin())},
                           {"REGISTER_EVERY", *register_every}};

@@ -1,6 +1,7 @@
 #include "blocks.hpp"
 
 #include <algorithm>
+#include <array>
 #include <numeric>
 
 #include <fmt/format.h>
@@ -23,6 +24,7 @@ const std::vector<Module>& modules() {
         {"glint_fifo"},
         {"glint_skid"},
         {"glint_multiplier"},
+        {"glint_multiplier_sliced", {"glint_delay"}},
         {"glint_divider_restoring"},
         {"glint_divider_radix4"},
         {"glint_divider_iterative"},
@@ -91,6 +93,28 @@ void add_files(std::vector<HardwareUnit::File>& files, const std::vector<Hardwar
     for (const HardwareUnit::File& file : more) {
         if (std::find(files.begin(), files.end(), file) == files.end()) files.push_back(file);
     }
+}
+
+std::span<const Family> families() {
+    static const std::array<Family, 2> all{{{"ecp5", "MULT18X18D"}, {"up5k", "SB_MAC16"}}};
+    return all;
+}
+
+void use_family(HardwareUnit& unit, std::string_view family) {
+    const auto of_family = std::ranges::find(families(), family, &Family::name);
+    if (of_family == families().end()) return;
+    std::vector<HardwareUnit::File> files;
+    for (const HardwareUnit::File& file : unit.files) {
+        if (file.name != "blocks/glint_multiplier.v") {
+            add_files(files, {file});
+            continue;
+        }
+        add_files(files, files_of("glint_multiplier_sliced"));
+        for (const std::string_view module : {"glint_multiplier_block", "glint_multiplier"})
+            add_files(files, {{fmt::format("blocks/{}/{}.v", family, module)}});
+    }
+    unit.files = std::move(files);
+    unit.simulation = {{fmt::format("simulation/{}.v", of_family->primitive)}};
 }
 
 std::vector<HardwareUnit::Port> stream_ports(const std::vector<HardwareUnit::Port>& inputs,

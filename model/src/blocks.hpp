@@ -78,6 +78,9 @@ std::vector<std::string_view> shared_modules();
 /// The files of a module of rtl/ and of all that it contains: `way` and `beside`, or what the table of blocks says.
 std::vector<HardwareUnit::File> files_of(std::string_view module, const Hardware& hardware = {});
 
+/// The unit built of the blocks of a family; of those of any device when `family` is empty.
+void use_family(HardwareUnit& unit, std::string_view family);
+
 /// Adds those that are not there yet.
 void add_files(std::vector<HardwareUnit::File>& files, const std::vector<HardwareUnit::File>& more);
 

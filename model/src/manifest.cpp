@@ -57,6 +57,7 @@ std::string object(const std::vector<std::pair<std::string, std::string>>& value
 }
 
 std::string described(const HardwareUnit& unit, const FileRoots& roots) {
+    const auto file = [&](const HardwareUnit::File& f) { return quoted(path(f, roots)); };
     const auto port = [](const HardwareUnit::Port& p) {
         return fmt::format(R"({{"name": "{}", "direction": "{}", "width": {}, "signed": {}, "meaning": {}}})", p.name,
                            p.output ? "output" : "input",
@@ -77,14 +78,14 @@ std::string described(const HardwareUnit& unit, const FileRoots& roots) {
     };
     return fmt::format(R"({{"name": "{}", "kind": "{}", "lobe": {}, "effect": "{}", "profile": "{}", "F": {}, "O": {},
   "core": {{"module": "{}", "parameters": {}}},
-  "files": {},
+  "files": {},{}
   "ports": {},
   "parameters": {},
   "architectures": {},
   "tables": {}}})",
                        unit.name, unit.kind, quoted(unit.lobe), unit.effect, unit.profile, unit.F, unit.O, unit.core,
-                       object(unit.numbers),
-                       lines(unit.files, [&](const HardwareUnit::File& f) { return quoted(path(f, roots)); }),
+                       object(unit.numbers), lines(unit.files, file),
+                       unit.simulation.empty() ? "" : "\n  \"simulation\": " + lines(unit.simulation, file) + ',',
                        lines(unit.ports, port), lines(unit.parameters, parameter),
                        lines(unit.architectures, architecture), lines(unit.tables, table));
 }
@@ -110,14 +111,30 @@ std::string modules(std::span<const HardwareUnit> units, const FileRoots& roots)
         "{\n  ", "}", ",\n  ");
 }
 
+/// By family: the files that a list has in the place of blocks/glint_multiplier.v, and the models for a simulator.
+std::string families_of(const FileRoots& roots) {
+    return list(
+        families(),
+        [&](const Family& family) {
+            HardwareUnit unit;
+            unit.files = files_of("glint_multiplier");
+            use_family(unit, family.name);
+            const auto file = [&](const HardwareUnit::File& f) { return quoted(path(f, roots)); };
+            return fmt::format(R"({}: {{"glint_multiplier": {}, "simulation": {}}})", quoted(family.name),
+                               list(unit.files, file, "[", "]", ", "), list(unit.simulation, file, "[", "]", ", "));
+        },
+        "{\n  ", "}", ",\n  ");
+}
+
 }  // namespace
 
 std::string manifest(std::span<const HardwareUnit> units, const FileRoots& roots) {
     const bool variable = roots.by_hand.find('$') != std::string_view::npos;
-    return fmt::format("{{\"format\": 1,\n \"variables\": {},\n \"modules\": {},\n \"units\": [\n {}\n]}}\n",
-                       variable ? R"({"GLINT_RTL": "the folder rtl/ of Glint"})" : "{}", modules(units, roots),
-                       list(
-                           units, [&](const HardwareUnit& unit) { return described(unit, roots); }, "", "", ",\n "));
+    return fmt::format(
+        "{{\"format\": 1,\n \"variables\": {},\n \"modules\": {},\n \"families\": {},\n \"units\": [\n {}\n]}}\n",
+        variable ? R"({"GLINT_RTL": "the folder rtl/ of Glint"})" : "{}", modules(units, roots), families_of(roots),
+        list(
+            units, [&](const HardwareUnit& unit) { return described(unit, roots); }, "", "", ",\n "));
 }
 
 std::string file_list(const HardwareUnit& unit, const FileRoots& roots) {
@@ -125,7 +142,9 @@ std::string file_list(const HardwareUnit& unit, const FileRoots& roots) {
         "// The files of {}, for `verilator -f` and `iverilog -f`. GLINT_RTL in the environment is the folder rtl/ of "
         "Glint{}.\n",
         unit.name, roots.generated == emitted_list.generated ? ", GLINT_EMITTED that of this file" : "");
-    for (const HardwareUnit::File& file : unit.files) out += path(file, roots) + '\n';
+    for (const auto* files : {&unit.simulation, &unit.files}) {
+        for (const HardwareUnit::File& file : *files) out += path(file, roots) + '\n';
+    }
     return out;
 }
 

@@ -129,13 +129,17 @@ def lint_damaged(tool, unit, folder):
 
 
 def lint_timescale(folder):
-    """Every file of rtl/ in Verilator before and behind a user's file with a `timescale, and one with none."""
+    """Every file of rtl/ in Verilator before and behind a user's file with a `timescale, and one with none. Those of a
+    family, whose modules have the names of others, by themselves."""
     user = Path(folder) / "user.v"
-    ours = sorted(RTL.rglob("*.v"))
+    everywhere = sorted(RTL.rglob("*.v"))
+    of_family = {name: [file for file in everywhere if file.parent.name == name] for name in units.read()["families"]}
+    ours = [file for file in everywhere if not any(file in files for files in of_family.values())]
     for timescale in ("`timescale 1ns/1ps\n", ""):
         user.write_text(f"{timescale}module user(input wire a, output wire b);\n    assign b = a;\nendmodule\n")
-        for files in ([user, *ours], [*ours, user]):
-            silent(command("verilator", "user", files, {}))
+        for mine in (ours, *([*files, *RTL.glob("simulation/*.v")] for files in of_family.values())):
+            for files in ([user, *mine], [*mine, user]):
+                silent(command("verilator", "user", files, {}))
     bare = Path(folder) / "bare.v"
     bare.write_text("module bare(input wire a, output wire b);\n    assign b = a;\nendmodule\n")
     user.write_text("`timescale 1ns/1ps\n" + user.read_text())
@@ -166,6 +170,13 @@ def lint(tool, folders):
     for top, (names, sets) in MODULES.items():
         for values in sets:
             silent(command(tool, top, files[top], dict(zip(names.split(), values))))
+            modules += 1
+    # The multipliers of families; Yosys knows their primitives by its own libraries.
+    for family, listed_files in units.read()["families"].items():
+        family_files = [RTL / name for name in listed_files["simulation"] + listed_files["glint_multiplier"]]
+        listed.update(family_files)
+        for a, b, signed, stages in ((1, 1, 0, 1), (18, 16, 1, 2), (31, 40, 1, 3), (28, 17, 0, 4)):
+            silent(command(tool, "glint_multiplier", family_files, {"A_W": a, "B_W": b, "SIGNED": signed, "STAGES": stages}))
             modules += 1
     # shade with some of its effects; Verilator and Yosys want the number sized.
     shade = units.units()["glint_effect_shade_bps_p12"]

@@ -1,5 +1,7 @@
 #include <algorithm>
 
+#include <fmt/format.h>
+
 #include "catch.hpp"
 #include "glint/error.hpp"
 #include "glint/lobes.hpp"
@@ -19,6 +21,8 @@ TEST_CASE("an architecture is a divider, rows in a clock, clocks of a product; t
     CHECK(parse_architecture(bps, "iterative:m2") == Architecture{"iterative:m2", parameters(2, 1, 2)});
     CHECK(parse_architecture(bps, "reciprocal") == Architecture{"reciprocal", parameters(3, 1, 1)});
 
+    CHECK(parse_architecture(bps, "radix4:m2:ecp5") == Architecture{"radix4:m2:ecp5", parameters(1, 1, 2), "ecp5"});
+
     const Lobe& taylor = find_lobe("taylor");
     CHECK(default_architecture(taylor) == Architecture{"pipelined", {{"MULTIPLIER_STAGES", 1}}});
     CHECK(parse_architecture(taylor, "pipelined:m2") == Architecture{"pipelined:m2", {{"MULTIPLIER_STAGES", 2}}});
@@ -26,9 +30,28 @@ TEST_CASE("an architecture is a divider, rows in a clock, clocks of a product; t
 
 TEST_CASE("an architecture that is not legal is refused, with what is") {
     const Lobe& bps = find_lobe("bps");
-    for (const char* text : {"", ":", "pipelined", "radix8", "restoring:", "restoring:r", "restoring:r0", "radix4:r33",
-                             "restoring:m0", "restoring:m5", "restoring:m2:r2", "restoring:r2:r2", "restoring:r2x",
-                             "iterative:r2", "reciprocal:r1", "restoring:m-1", "restoring:m99999999999", "Radix4"}) {
+    for (const char* text : {"",
+                             ":",
+                             "pipelined",
+                             "radix8",
+                             "restoring:",
+                             "restoring:r",
+                             "restoring:r0",
+                             "radix4:r33",
+                             "restoring:m0",
+                             "restoring:m5",
+                             "restoring:m2:r2",
+                             "restoring:r2:r2",
+                             "restoring:r2x",
+                             "iterative:r2",
+                             "reciprocal:r1",
+                             "restoring:ecp5:m2",
+                             "restoring:xc7",
+                             ":ecp5",
+                             "ecp5",
+                             "restoring:m-1",
+                             "restoring:m99999999999",
+                             "Radix4"}) {
         CAPTURE(text);
         CHECK_THROWS_AS(parse_architecture(bps, text), Error);
     }
@@ -37,8 +60,29 @@ TEST_CASE("an architecture that is not legal is refused, with what is") {
         CHECK_THROWS_AS(parse_architecture(find_lobe("taylor"), text), Error);
     }
     CHECK_THROWS_WITH(parse_architecture(bps, "radix8"),
-                      "architecture 'radix8' is not legal for bps: restoring[:rN][:mN], radix4[:rN][:mN], "
-                      "iterative[:mN], reciprocal[:mN], N of r 1 to 32, N of m 1 to 4");
+                      "architecture 'radix8' is not legal for bps: restoring[:rN][:mN][:FAMILY], "
+                      "radix4[:rN][:mN][:FAMILY], iterative[:mN][:FAMILY], reciprocal[:mN][:FAMILY], "
+                      "N of r 1 to 32, N of m 1 to 4, FAMILY ecp5 or up5k");
+}
+
+TEST_CASE("a unit for a family has its multiplier in the place of that of any device, and a model for simulators") {
+    const Lobe& bps = find_lobe("bps");
+    for (const Family& family : families()) {
+        const std::string folder = fmt::format("blocks/{}/", family.name);
+        const auto files =
+            bps.emit(parse_profile("p8"), parse_architecture(bps, fmt::format("radix4:{}", family.name)));
+        for (const GeneratedFile& file : files) {
+            if (!file.unit) continue;
+            const auto has = [&](const std::string& name) {
+                return std::ranges::count(file.unit->files, name, &HardwareUnit::File::name);
+            };
+            CHECK(has("blocks/glint_multiplier.v") == 0);
+            CHECK(has(folder + "glint_multiplier.v") == 1);
+            CHECK(has(folder + "glint_multiplier_block.v") == 1);
+            CHECK(file.unit->simulation ==
+                  std::vector<HardwareUnit::File>{{fmt::format("simulation/{}.v", family.primitive)}});
+        }
+    }
 }
 
 TEST_CASE("the lobes with a divider are those whose wrappers have its parameters; all have the multiplier's") {

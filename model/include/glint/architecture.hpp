@@ -15,6 +15,7 @@ struct Architecture {
     /// Of the unit and of its wrappers, as in docs/rtl.md: DIVIDER (0 restoring, 1 radix4, 2 iterative, 3 reciprocal)
     /// and REGISTER_EVERY for a lobe with a divider, MULTIPLIER_STAGES for all.
     std::vector<std::pair<std::string, int>> parameters;
+    std::string family = {};  ///< devices whose own blocks it is built of, a name of families(); empty: any device
 
     /// The value of a parameter; `otherwise` where the architecture has none of that name.
     int parameter(std::string_view name_of_it, int otherwise) const;
@@ -22,9 +23,9 @@ struct Architecture {
     friend bool operator==(const Architecture&, const Architecture&) = default;
 };
 
-/// For a lobe with a divider "DIVIDER[:rN][:mN]" with DIVIDER one of restoring, radix4, iterative, reciprocal; for
-/// others "pipelined[:mN]". rN, of restoring and radix4: a register after every N rows of the divider, 1 to 32; mN: a
-/// product takes N clocks, 1 to 4. Both are 1 where they are left out. Throws Error.
+/// For a lobe with a divider "DIVIDER[:rN][:mN][:FAMILY]" with DIVIDER one of restoring, radix4, iterative, reciprocal;
+/// for others "pipelined[:mN][:FAMILY]". rN, of restoring and radix4: a register after every N rows of the divider, 1
+/// to 32; mN: a product takes N clocks, 1 to 4. Both are 1 where they are left out. FAMILY: ecp5 or up5k. Throws Error.
 Architecture parse_architecture(const Lobe& lobe, std::string_view text);
 
 /// "restoring", or "pipelined" for a lobe without a divider.

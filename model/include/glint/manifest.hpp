@@ -50,7 +50,8 @@ struct HardwareUnit {
     std::string core;          ///< the module by hand inside; empty for a unit made of others alone
     std::vector<std::pair<std::string, std::string>> numbers;  ///< the parameters of `core` that the unit sets
     std::vector<File> files;                                   ///< in an order in which they compile, its own last
-    std::vector<Port> ports;                                   ///< in the order of the module
+    std::vector<File> simulation;  ///< models of a device's primitives, for simulators alone
+    std::vector<Port> ports;       ///< in the order of the module
     std::vector<Parameter> parameters;
     std::vector<Architecture> architectures;  ///< the first has the defaults of the parameters
     std::vector<Memory> tables;
@@ -64,6 +65,13 @@ inline constexpr FileRoots committed_paths{"", "generated/"};  ///< of rtl/units
 inline constexpr FileRoots committed_list{"$(GLINT_RTL)/", "$(GLINT_RTL)/generated/"};
 inline constexpr FileRoots emitted_paths{"$(GLINT_RTL)/", ""};  ///< of a units.json beside generated files
 inline constexpr FileRoots emitted_list{"$(GLINT_RTL)/", "$(GLINT_EMITTED)/"};
+
+/// Devices for which rtl/blocks/NAME has modules that take the place of those of any device: same ports, parameters,
+/// bits and clocks, of the primitive that rtl/simulation/ has a model of.
+struct Family {
+    std::string_view name, primitive;
+};
+std::span<const Family> families();
 
 /// units.json of these units.
 std::string manifest(std::span<const HardwareUnit> units, const FileRoots& roots);

@@ -109,7 +109,10 @@ endmodule
 `default_nettype wire
 )",
                         table_module(table), fields, address_bits(table) - 1, entry_bits(table) - 1, rows,
-                        table.chosen ? "#(\n    parameter LOGIC = 0  // 1: not in block memory\n) " : "",
+                        table.chosen
+                            ? "#(\n    /* verilator lint_off UNUSED */  // an attribute asks for it\n    parameter "
+                              "LOGIC = 0  // 1: not in block memory\n    /* verilator lint_on UNUSED */\n) "
+                            : "",
                         table.chosen ? "(* rom_style = LOGIC != 0 ? \"logic\" : \"auto\" *) " : ""),
             {}};
 }
@@ -404,6 +407,7 @@ HardwareUnit core_unit(std::string_view lobe, const Profile& profile, const Arch
     unit.O = profile.O;
     unit.core = fmt::format("glint_{}", lobe);
     unit.files = files_of(unit.core, hardware);
+    use_family(unit, architecture.family);
     unit.files.push_back({unit.name + ".v", true});
     unit.ports = stream_ports({{"n_i", false, 10, "", false, "specular exponent; legal 1 to 1023"},
                                {"cos_i", false, profile.F + 2, "", true,
