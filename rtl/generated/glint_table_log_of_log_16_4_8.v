@@ -5,7 +5,9 @@
 // verilator lint_off TIMESCALEMOD
 
 module glint_table_log_of_log_16_4_8 #(
+    /* verilator lint_off UNUSED */  // an attribute asks for it
     parameter LOGIC = 0  // 1: not in block memory
+    /* verilator lint_on UNUSED */
 ) (
     input  wire        clk_i,
     input  wire        enable_i,
