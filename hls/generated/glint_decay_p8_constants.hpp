@@ -34,6 +34,7 @@ struct glint_decay_p8_constants {
     static constexpr int H = 4;  // address bits of fall within an octave
     static constexpr int G = 2;  // guard bits of fall
     static constexpr int W = 4;  // address bits of the octave of fall
+    static constexpr int N = 1;  // 1: lambda has an entry for each n; 0: for what follows its leading one
     static constexpr int O = 8;  // fraction bits of the output
     static constexpr int E = 4;  // bits of e
     static std::int64_t logarithm_base(unsigned index) {

@@ -206,6 +206,7 @@ std::vector<GeneratedFile> emit_decay(const Profile& profile, const Architecture
          {"int H", text(f.H), "address bits of fall within an octave"},
          {"int G", text(f.G), "guard bits of fall"},
          {"int W", text(f.W), "address bits of the octave of fall"},
+         {"int N", text(f.N), "1: lambda has an entry for each n; 0: for what follows its leading one"},
          {"int O", text(f.O), "fraction bits of the output"},
          {"int E", text(f.E), "bits of e"}},
         {piece_table("logarithm", fmt::format("log_of_log_{}_{}_{}", f.F, f.A, f.V), f.logarithm, f.base_bits(),
