@@ -34,7 +34,7 @@ AccuracyRecord measure_accuracy(const GoldenModel& model, unsigned threads);
 std::vector<AccuracyRecord> read_accuracy_file(const std::string& path);
 
 /// Measures the lobes at the profiles and writes them to a file, beside what that already holds of others. Returns the
-/// exit status: 1 where a shipped profile has a rounding error of 1 ulp or more. Throws Error.
+/// exit status: 1 where the rounding error of a shipped profile reaches the bound of its lobe. Throws Error.
 int run_cost_accuracy(const std::string& lobes, const std::string& profiles, const std::string& json, unsigned threads);
 
 }  // namespace glint::cost

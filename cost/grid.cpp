@@ -144,7 +144,7 @@ int run_cost_grid(const GridOptions& options) {
         for (const LobeChoice& choice : io::split_lobes(options.lobe)) {
             const Grid grid = measure(flow, *choice.lobe, options);
             if (grid.search.least.empty()) {
-                fmt::print("{}: no format tried keeps the rounding error below 1 ulp\n", grid.lobe);
+                fmt::print("{}: no format tried keeps the rounding error below the bound of the lobe\n", grid.lobe);
                 status = io::check_failed;
                 continue;
             }

@@ -1,4 +1,4 @@
-// `glint cost --grid`: the word lengths of a lobe that keep the rounding error below 1 ulp, and what they cost.
+// `glint cost --grid`: the word lengths of a lobe that keep the rounding error below the lobe's bound, and what they cost.
 #pragma once
 
 #include <string>

@@ -26,6 +26,7 @@ struct Counted {
     friend bool operator<(Counted a, Counted b) { return ++tally.comparisons, a.x < b.x; }
     friend Counted exponential(Counted a) { return ++tally.calls, Counted{std::exp(a.x)}; }
     friend Counted arc_cosine(Counted a) { return ++tally.calls, Counted{std::acos(a.x)}; }
+    friend Counted logarithm(Counted a) { return ++tally.calls, Counted{std::log(a.x)}; }
     friend Counted power(Counted a, Counted b) { return ++tally.calls, Counted{std::pow(a.x, b.x)}; }
     friend Counted square_root(Counted a) { return ++tally.calls, Counted{std::sqrt(a.x)}; }
     friend Counted sine(Counted a) { return ++tally.calls, Counted{std::sin(a.x)}; }

@@ -45,6 +45,10 @@ T exponential(T x) {
     return std::exp(x);
 }
 template <std::floating_point T>
+T logarithm(T x) {
+    return std::log(x);
+}
+template <std::floating_point T>
 T arc_cosine(T x) {
     return std::acos(x);
 }
@@ -228,9 +232,16 @@ struct BlinnPhong : OfExponent {
         return power(c, n);
     }
 };
+struct Decay : OfExponent {
+    static constexpr std::string_view name = "decay", lobe = "decay", text = "exp(n ln c), std::exp and std::log";
+    template <class T>
+    T operator()(T c, T n) const {
+        return exponential(n * logarithm(c));
+    }
+};
 
 /// The lobes of the paper first.
 using All = std::tuple<Schlick, CosinePower, Quadratic, Cubic, CubicHorner, Bps, SymmetricCubic, Cayley, Taylor,
-                       SphericalGaussian, Gauss, BlinnPhong>;
+                       SphericalGaussian, Gauss, BlinnPhong, Decay>;
 
 }  // namespace glint::formulas

@@ -32,6 +32,7 @@ const std::vector<Module>& modules() {
         {"glint_divider",
          {"glint_divider_restoring", "glint_divider_radix4", "glint_divider_iterative", "glint_divider_reciprocal"}},
         {"glint_sqrt"},
+        {"glint_normalise"},
         {"glint_ports", {"glint_delay"}},
         {"glint_stream", {"glint_delay"}},
         {"glint_axis", {"glint_skid"}},

@@ -53,6 +53,7 @@ inline Block log2() { return (step(3) + parabola() + step()).named("glint_log2")
 inline Block exp2() { return (step() + parabola() + step(2)).named("glint_exp2"); }
 inline Block sqrt(int root_bits) { return {"glint_sqrt", root_bits}; }
 inline Block attenuation() { return (log2() + step(2)).named("glint_attenuation"); }
+inline Block normalise() { return {"glint_normalise", 2}; }
 /// From its factor, which comes five clocks after z; and from z.
 inline Block scaled_power_factor() { return step(3).named("glint_scaled_power"); }
 inline Block scaled_power() { return (step() + parabola() + scaled_power_factor()).named("glint_scaled_power"); }

@@ -30,9 +30,9 @@ std::vector<bool> word_lengths(const Lobe& lobe) {
     return out;
 }
 
-/// Whether the rounding error is below 1 ulp at every n and the codes.
+/// Whether the rounding error is below the lobe's bound at every n and the codes.
 bool faithful(const GoldenModel& model, Range codes, unsigned threads) {
-    return sweep(model, {1, max_n, 1}, codes, threads).total.rounding.value < 1.0;
+    return sweep(model, {1, max_n, 1}, codes, threads).total.rounding.value < find_lobe(model.lobe()).bound_ulp;
 }
 
 /// The same at some of the codes, those near 1 among them: it tells most of the formats that break the promise.

@@ -233,15 +233,16 @@ def tasks():
     for lobe in LOBES:
         small = {**word_lengths(lobe, "p8"), **SMALL.get(lobe, {})}
         unit, wrapper = f"glint_{lobe}", f"glint_{lobe}_axis_p12"
+        kind = "effect" if in_stream(unit) else "unit"  # which frame its numbers stand in
         for profile in ("p8", "p12", "p16") if lobe == BUGGED else ("p12",):
             numbers = word_lengths(lobe, profile)
-            out += [Task(f"{lobe}.{profile}", HANDSHAKE, unit, "unit", {**numbers, "TAG_W": TAG_W}, "induction", 2),
+            out += [Task(f"{lobe}.{profile}", HANDSHAKE, unit, kind, {**numbers, "TAG_W": TAG_W}, "induction", 2),
                     Task(f"axis.{lobe}.{profile}", HANDSHAKE + "; operands and result kept",
                          wrapper, "axis", {**numbers, "USER_W": TAG_W}, "induction", 3)]
         core = {**small, "TAG_W": 2}
         axis = {**small, "USER_W": 1}
-        out += [Task(f"{lobe}.cover", "not vacuous", unit, "unit", core, "cover", 60),
-                Task(f"{lobe}.cover_full", "the bounds are reached", unit, "unit", core, "cover", 120,
+        out += [Task(f"{lobe}.cover", "not vacuous", unit, kind, core, "cover", 60),
+                Task(f"{lobe}.cover_full", "the bounds are reached", unit, kind, core, "cover", 120,
                      defines=("DEEP_COVER",)),
                 Task(f"axis.{lobe}.cover", "not vacuous", wrapper, "axis", axis, "cover", 60)]
         if lobe == BUGGED:
@@ -326,7 +327,7 @@ def wrapper_at_any_size(module, names):
                      (f".O     ({O})", ".O     (O)"), (f"[{F + 1}:0] cosine;", "[F+1:0] cosine;"),
                      (f"[{O}:0] y;", "[O:0] y;"), (f"{core} #(", f"{UNITS[core]['core']['module']} #({passed}")):
         text = edited(module, text, old, new)
-    return text
+    return text.replace("        .LOGIC(LOGIC),\n", "")  # of the tables, which are not in the core
 
 
 def around_lobe(module):
@@ -347,6 +348,11 @@ def declared_result(top, numbers):
              and port["name"] not in ("valid_o", "ready_o", "tag_o", "clamped_o")]
     return (f"localparam RESULT_W = {sum(port['width'] for port in ports)};\n"
             f"wire [RESULT_W-1:0] result = {{{', '.join(port['name'] for port in ports)}}};\n")
+
+
+def in_stream(unit):
+    """Whether a lobe's core stands in glint_stream, as an effect does, and not in glint_ports."""
+    return any(path.name == "glint_stream.v" for path in MODULES[unit])
 
 
 def edited(name, text, old, new):
@@ -395,7 +401,10 @@ def prepare(task, folder):
         text = text[:end] + (properties.read_text() if properties.exists() else "") + text[end:]
         (folder / f"{name}.v").write_text(text)
     if task.kind == "axis":
-        parameters["CORE_CLOCKS"] = latency(unit, numbers, folder)
+        parameters["CORE_CLOCKS"] = latency(unit, numbers, folder, "stream" if in_stream(unit) else "ports")
+        if in_stream(unit):
+            copy = folder / f"{task.top}.v"
+            copy.write_text(copy.read_text().replace("core.ports.all.", "core.stream.").replace("core.ports.", "core.stream."))
     for name in ("glint_scoreboard.v", "pipeline.vh", "glint_ports.vh"):
         shutil.copy(HERE / name, folder)
     defines = " ".join(f"-D {name}" for name in ("SYNTHESIS", f"PROVE_{task.kind.upper()}") + task.defines)

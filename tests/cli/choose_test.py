@@ -360,6 +360,25 @@ class Prices(Case):
         for c in bps:
             self.true(best["luts"] <= c["luts"], f"{best} against {c}")
 
+    def test_decay(self):
+        """What the lobe of tables is held to, over all n: an error, LUTs, block RAMs, MHz, clocks."""
+        figures = [  # device, DSPs, error, LUTs, block RAMs, MHz, clocks
+            ("hx8k", False, 1 / 256, 300, 3, 0, 99),
+            ("hx8k", False, 1 / 1024, 500, 8, 100, 10),
+            ("hx8k", False, 1 / 4096, 900, 32, 0, 99),
+            ("up5k", True, 1 / 256, 150, 30, 0, 99),
+        ]
+        errors = {}
+        for device in ("hx8k", "up5k"):
+            self.good("cost", "--data", ROOT / "cost/data", "--lobe", "decay", "--device", device, "--json", "out.json")
+            errors.update({c["profile"]: c["error"] for c in json.loads(self.read("out.json"))["configurations"]})
+        points = [p for p in json.loads((ROOT / "cost/data/fpga.json").read_text())["points"] if p["lobe"] == "decay"]
+        for device, dsp, error, luts, brams, clock, clocks in figures:
+            good = [p for p in points if p["device"] == device and p["dsp"] == dsp and errors.get(p["profile"], 1) < error
+                    and p["luts"] <= luts and p["brams"] <= brams and p.get("clock_mhz", 0) >= clock
+                    and p["latency"] <= clocks and p["interval"] == 1 and p["fits"]]
+            self.true(len(good) > 0, f"{device} below {error}: {luts} LUTs, {brams} block RAMs, {clock} MHz, {clocks} clocks")
+
     def test_family(self):
         """A family's name stands for its first device."""
         self.equal(self.chosen("--device", "ecp5"), self.chosen("--device", "ecp5-25k"))

@@ -33,6 +33,7 @@ MODULES = {
     "glint_horner": ("S K O I DEGREE CLAMP ITERATIVE MULTIPLIER_STAGES",
                      [(*w, clamp, iterative, stages) for w in ((15, 15, 12, 2, 3), (4, 4, 4, 1, 2), (30, 30, 28, 4, 6))
                       for clamp in (0, 1) for iterative in (0, 1) for stages in (1, 3)]),
+    "glint_normalise": ("WIDTH SHIFT_W OUT_W FILL", ((5, 3, 4, 0), (10, 4, 9, 0), (16, 4, 8, 1), (18, 5, 12, 1), (32, 5, 31, 0))),
     "glint_delay": ("WIDTH STAGES", ((1, 0), (1, 1), (1, 2), (17, 1), (64, 40))),
     "glint_skid": ("WIDTH", ((1,), (47,))),
     "glint_ports": ("F LATENCY PRODUCTS QUOTIENT_W DIVIDER REGISTER_EVERY MULTIPLIER_STAGES TAG_W",

@@ -3,6 +3,7 @@
 
     glint vectors --lobe bps --profile p12 --format hex -o out
     replay.py --unit axis out/glint_bps_p12.hex
+    replay.py --netlist mine.v cells.v -- out/glint_bps_p12.hex
 
 The manifest beside the file (out/glint_bps_p12.json) says lobe, profile, F, O and how many vectors there must be; the
 units.json of the folder FOLDER (default: rtl/), what the unit is made of and its latency.
@@ -19,7 +20,7 @@ import icarus
 from units import RTL, units
 
 
-def replay(vectors, kind, folder, rtl=RTL):
+def replay(vectors, kind, folder, rtl=RTL, netlist=()):
     manifest = json.loads(vectors.with_suffix(".json").read_text())
     module = f"glint_{manifest['lobe']}_{'axis_' if kind == 'axis' else ''}{manifest['profile']}"
     every = units(folder, rtl)
@@ -35,16 +36,17 @@ def replay(vectors, kind, folder, rtl=RTL):
         icarus.build(
             executable,
             "replay_tb",
-            [*unit["files"], bench],
+            [*(netlist or unit["files"]), bench],
             {name: manifest[key] for name, key in (("F", "F"), ("O", "O"), ("COUNT", "count"))},
-            {"UNIT": module, **({"AXIS": 1} if kind == "axis" else {})},
+            {"UNIT": module, **({"AXIS": 1} if kind == "axis" else {}), **({"NETLIST": 1} if netlist else {})},
+            warnings=not netlist,
         )
         for pace, arguments in (("full speed", []), ("bubbles and stalls", ["+stalls"])):
             output = icarus.run(executable, f"+vectors={vectors}", *arguments)
             shown = f"{module}, {pace}:\n{output}"
             icarus.require(shown, "vectors", manifest["count"])
             print(shown, end="", flush=True)
-            if pace == "full speed" and expected not in output:
+            if pace == "full speed" and not netlist and expected not in output:
                 raise icarus.Failed(f"'{expected}' was expected")
 
 
@@ -54,9 +56,15 @@ def main():
     parser.add_argument("--unit", choices=("core", "axis"), default="core")
     parser.add_argument("--units", type=Path, default=RTL, metavar="FOLDER", help="rtl/, or where `glint emit` wrote")
     parser.add_argument("--rtl", type=Path, default=RTL, metavar="FOLDER", help="rtl/, for units of `glint emit`")
+    parser.add_argument("--netlist", type=Path, nargs="+", default=[], metavar="FILE",
+                        help="Verilog of your own in the place of the unit's files: your netlist, and its library")
     options = parser.parse_args()
+    missing = [file for file in options.netlist if not file.is_file()]
+    if missing:
+        print(f"replay.py: --netlist '{missing[0]}' is not a file", file=sys.stderr)
+        return 2
     try:
-        replay(options.vectors, options.unit, options.units, options.rtl)
+        replay(options.vectors, options.unit, options.units, options.rtl, options.netlist)
     except icarus.Failed as failed:
         print(f"replay.py: FAILED: {failed}", file=sys.stderr)
         return 1

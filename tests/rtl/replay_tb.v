@@ -1,7 +1,8 @@
 // Streams a vector file of `glint vectors --format hex` through a unit and compares every result, in order.
 // Verilog-2005, for any simulator; replay.py compiles and runs it with Icarus.
 //
-//   macros      UNIT: the module, such as glint_bps_p12; AXIS: it is an AXI4-Stream unit
+//   macros      UNIT: the module, such as glint_bps_p12; AXIS: it is an AXI4-Stream unit; NETLIST: it has no parameters
+//               any more, and a tag (tuser) of the default width
 //   parameters  F, O: fraction bits of its cosine and output; COUNT: how many vectors the file must hold
 //   arguments   +vectors=FILE; +stalls: bubbles at the input and stalls at the output, else full speed
 //
@@ -17,7 +18,13 @@ module replay_tb;
     parameter O     = 0;
     parameter COUNT = 0;
 
+`ifndef NETLIST
     localparam TAG_W    = 24;    // not the default of the units
+`elsif AXIS
+    localparam TAG_W    = 16;
+`else
+    localparam TAG_W    = 15;    // and one bit for last_in
+`endif
     localparam FILLING  = 64;    // clocks that fill any unit
     localparam PATIENCE = 2000;  // clocks without a result after which none is expected any more
 
@@ -98,9 +105,13 @@ module replay_tb;
 `ifdef AXIS
     localparam AXI = 1;  // an offer stands until it is taken; outputs answer a reset after the edge
 
-    `UNIT #(
+    `UNIT
+`ifndef NETLIST
+    #(
         .USER_W(TAG_W)
-    ) unit (
+    )
+`endif
+    unit (
         .aclk         (clk),
         .aresetn      (reset_n),
         .s_axis_tdata ({{(30 - F) {1'bx}}, offered[64+F+1:64], 22'bx, offered[57:48]}),
@@ -120,9 +131,13 @@ module replay_tb;
     wire [O:0] y;
     wire       clamped;
 
-    `UNIT #(
+    `UNIT
+`ifndef NETLIST
+    #(
         .TAG_W(TAG_W + 1)
-    ) unit (
+    )
+`endif
+    unit (
         .clk_i    (clk),
         .rst_ni   (reset_n),
         .valid_i  (valid_in),
@@ -140,8 +155,20 @@ module replay_tb;
     assign result = {clamped, {(30 - O) {1'b0}}, y};
 `endif
 
-    initial clk = 1'b0;
-    always #1 clk = ~clk;
+    // `settled` rises while everything stands still, before the edge of the clock, and falls after it: what is read at the
+    // one and changed at the other meets no edge, in any simulator.
+    reg settled;
+
+    initial begin
+        clk    = 1'b0;
+        settled = 1'b0;
+    end
+    always begin
+        #1 settled = 1'b1;
+        #1 clk = 1'b1;
+        #1 settled = 1'b0;
+        #1 clk = 1'b0;
+    end
 
     // ---- what is offered and what is taken ------------------------------------------------------------------------
     integer clock;           // edges since the first vector was offered
@@ -151,6 +178,7 @@ module replay_tb;
     integer sent;            // vectors accepted
     integer held;            // inputs that the unit accepts while nothing leaves it
     integer bubbles, stall_clocks, refusals;
+    reg     refused;         // an input was not taken at the last edge
     reg     waiting;         // a result was not taken at the last edge
     reg     wrong;           // and it was complained about
 
@@ -174,19 +202,19 @@ module replay_tb;
                 offer_chance = chance($random(seed));
                 take_chance  = chance($random(seed));
             end
-            if (sent < COUNT && ((AXI && valid_in && !ready_in) || ($random(seed) & 15) < offer_chance)) begin
-                valid_in <= 1'b1;
-                offered  <= vectors[sent];
-                tag_in   <= ~sent;
-                last_in  <= ^sent;
+            if (sent < COUNT && ((AXI && refused) || ($random(seed) & 15) < offer_chance)) begin
+                valid_in = 1'b1;
+                offered  = vectors[sent];
+                tag_in   = ~sent;
+                last_in  = ^sent;
             end else begin
                 if (sent < COUNT) bubbles = bubbles + 1;
-                valid_in <= 1'b0;
-                offered  <= 96'bx;
-                tag_in   <= {TAG_W{1'bx}};
-                last_in  <= 1'bx;
+                valid_in = 1'b0;
+                offered  = 96'bx;
+                tag_in   = {TAG_W{1'bx}};
+                last_in  = 1'bx;
             end
-            ready_out <= ($random(seed) & 15) < take_chance;
+            ready_out = ($random(seed) & 15) < take_chance;
         end
     endtask
 
@@ -234,7 +262,8 @@ module replay_tb;
                     progress_clock = clock;
                 end
             end
-            if (valid_in && !ready_in) refusals = refusals + 1;
+            refused = valid_in && !ready_in;
+            if (refused) refusals = refusals + 1;
             if (valid_in && ready_in) begin
                 if (sent == 0) sent_clock = clock;
                 sent = sent + 1;
@@ -245,11 +274,12 @@ module replay_tb;
     task in_reset;
         input first;  // its first edge
         begin
-            @(posedge clk);
+            @(posedge settled);
             if (!(AXI && first) && (valid_out !== 1'b0 || ready_in !== 1'b0)) begin
                 complain;
                 $display("in reset: valid is %b, ready is %b", valid_out, ready_in);
             end
+            @(negedge settled);
         end
     endtask
 
@@ -262,24 +292,25 @@ module replay_tb;
         in_reset(0);
 
         // Fill the unit and let nothing leave it; then one edge in reset must discard everything.
-        reset_n  <= 1'b1;
-        valid_in <= 1'b1;
-        offered  <= vectors[0];
-        tag_in   <= {TAG_W{1'b0}};  // the tags of the vectors begin at the other end
-        last_in  <= 1'b1;
+        reset_n  = 1'b1;
+        valid_in = 1'b1;
+        offered  = vectors[0];
+        tag_in   = {TAG_W{1'b0}};  // the tags of the vectors begin at the other end
+        last_in  = 1'b1;
         held     = 0;
         repeat (FILLING) begin
-            @(posedge clk);
+            @(posedge settled);
             if (ready_in === 1'b1) held = held + 1;
+            @(negedge settled);
         end
         if (valid_out !== 1'b1 || ready_in !== 1'b0) begin
             complain;
             $display("after %0d inputs, of which none could leave: valid is %b, ready is %b", held, valid_out,
                      ready_in);
         end
-        reset_n <= 1'b0;
+        reset_n = 1'b0;
         in_reset(1);
-        reset_n <= 1'b1;
+        reset_n = 1'b1;
 
         seed           = 1;
         offer_chance   = 16;
@@ -290,14 +321,16 @@ module replay_tb;
         bubbles        = 0;
         stall_clocks   = 0;
         refusals       = 0;
+        refused        = 1'b0;
         waiting        = 1'b0;
         wrong          = 1'b0;
         drive;
         // After the last result the unit is watched for one more.
         while (clock - progress_clock < (compared == COUNT ? 2 * FILLING : PATIENCE) && mismatches < 10) begin
-            @(posedge clk);
+            @(posedge settled);
             clock = clock + 1;
             observe;
+            @(negedge settled);
             drive;
         end
 

@@ -60,6 +60,52 @@ Wide exp2_minus(int x, int bits) {
     return sum;
 }
 
+Wide log2(Wide x) {
+    // 2^k v, v in [1, 2); v is its first 13 bits, times 1 + rest.
+    int k = 0;
+    while (x < wide_one) x *= 2, --k;
+    while (x >= 2 * wide_one) x /= 2, ++k;
+    constexpr int head_bits = 12;
+    const auto head = static_cast<int>(x >> (wide_bits - head_bits));
+    const Wide rest = ((x - (Wide{head} << (wide_bits - head_bits))) << head_bits) / head;
+    Wide ln = ln_ratio(head, 1 << head_bits);
+    Wide power = rest;
+    for (int i = 1; power != 0; ++i) {
+        ln += (i % 2 == 1 ? power : -power) / i;
+        power = product(power, rest);
+    }
+    return k * wide_one + over_ln2(ln);
+}
+
+Wide exp_minus(Wide x) {
+    const auto halvings = static_cast<int>(x / ln2());
+    const Wide rest = x % ln2();
+    Wide term = wide_one;
+    Wide sum = 0;
+    for (int k = 1; term != 0; ++k) {
+        sum += k % 2 == 1 ? term : -term;
+        term = product(term, rest) / k;
+    }
+    return sum >> halvings;
+}
+
+Wide log_ratio(int x, int bits) {
+    Wide power = wide_one;
+    Wide sum = 0;
+    for (int k = 1; power != 0; ++k) {
+        sum += power / k;
+        power = (power * x) >> bits;
+    }
+    return sum;
+}
+
+Wide minus_log_1m(int x, int bits) {
+    int rest = (1 << bits) - x;
+    int halvings = 0;
+    for (; 2 * rest <= 1 << bits; rest *= 2) ++halvings;
+    return halvings * ln2() + ln_ratio(1 << bits, rest);
+}
+
 std::int64_t nearest(Wide x, int bits) {
     const int cut = wide_bits - bits;
     const Wide half = Wide{1} << (cut - 1);

@@ -20,6 +20,15 @@ Wide over_ln2(Wide x);
 Wide log2_1p(int x, int bits);
 Wide exp2_minus(int x, int bits);
 
+/// log2(x) for 1/2 <= x < 8 and exp(-x) for 0 <= x <= 16, each within 2^-90.
+Wide log2(Wide x);
+Wide exp_minus(Wide x);
+
+/// -ln(1 - d) / d and -ln(1 - d) for d = x / 2^bits, each within 2^-90. Legal: 0 < x <= 2^8; of the first, d <= 1/2; of
+/// the second, x < 2^bits, bits <= 12.
+Wide log_ratio(int x, int bits);
+Wide minus_log_1m(int x, int bits);
+
 /// The integer nearest to x 2^bits. Throws Error where x is so near to a half that its last digits decide.
 std::int64_t nearest(Wide x, int bits);
 

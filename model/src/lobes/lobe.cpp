@@ -53,6 +53,13 @@ std::uint64_t field_code(std::int64_t value, int width) {
 }
 
 /// The fields side by side, the first the most significant.
+/// Of a wrapper whose tables may stay out of block memory.
+constexpr const char* logic_parameter = ",\n    parameter LOGIC = 0";
+
+bool is_chosen(const std::vector<Table>& tables) {
+    return std::any_of(tables.begin(), tables.end(), [](const Table& table) { return table.chosen; });
+}
+
 std::string entry_literal(const Table& table, const std::vector<std::int64_t>& row) {
     std::string bits;
     for (std::size_t k = 0; k < table.fields.size(); ++k) {
@@ -87,21 +94,26 @@ GeneratedFile rom(const Table& table) {
 `default_nettype none
 // verilator lint_off TIMESCALEMOD
 
-module {0} (
+module {0} {5}(
     input  wire        clk_i,
     input  wire        enable_i,
     input  wire [{2}:0] address_i,
     output reg  [{3}:0] entry_o
 );
 
-    always @(posedge clk_i) if (enable_i) case (address_i)
+    always @(posedge clk_i) if (enable_i) {6}case (address_i)
 {4}    endcase
 
 endmodule
 
 `default_nettype wire
 )",
-                        table_module(table), fields, address_bits(table) - 1, entry_bits(table) - 1, rows),
+                        table_module(table), fields, address_bits(table) - 1, entry_bits(table) - 1, rows,
+                        table.chosen
+                            ? "#(\n    /* verilator lint_off UNUSED */  // an attribute asks for it\n    parameter "
+                              "LOGIC = 0  // 1: not in block memory\n    /* verilator lint_on UNUSED */\n) "
+                            : "",
+                        table.chosen ? "(* rom_style = LOGIC != 0 ? \"logic\" : \"auto\" *) " : ""),
             {}};
 }
 
@@ -117,7 +129,7 @@ std::vector<GeneratedFile> with_tables(std::vector<GeneratedFile> files, const s
     return files;
 }
 
-TableText table_text(const std::vector<Table>& tables) {
+TableText table_text(const std::vector<Table>& tables, bool wrapper_has_logic) {
     TableText out;
     auto& [wires, ports, instances] = out;
     for (const Table& table : tables) {
@@ -126,14 +138,14 @@ TableText table_text(const std::vector<Table>& tables) {
                              entry_bits(table) - 1, n);
         ports += fmt::format(",\n        .{0}_address_o({0}_address),\n        .{0}_entry_i({0}_entry)", n);
         instances += fmt::format(R"(
-    {0} {1} (
+    {0} {2}{1} (
         .clk_i    (clk_i),
         .enable_i (table_enable),
         .address_i({1}_address),
         .entry_o  ({1}_entry)
     );
 )",
-                                 table_module(table), n);
+                                 table_module(table), n, wrapper_has_logic && table.chosen ? "#(.LOGIC(LOGIC)) " : "");
     }
     if (!tables.empty()) {
         wires = "    wire table_enable;\n" + wires + '\n';
@@ -152,7 +164,7 @@ GeneratedFile core(std::string_view lobe, const Profile& profile, const Architec
     for (const Constant& p : parameters) assignments += fmt::format("        .{:{}}({}),\n", p.name, width, p.value);
     assignments += architecture_assignments(architecture);
     const std::string module = fmt::format("glint_{}_{}", lobe, profile.name);
-    const auto [wires, ports, instances] = table_text(tables);
+    const auto [wires, ports, instances] = table_text(tables, true);
     return {GeneratedFile::Target::verilog, module + ".v",
             header(lobe, profile, architecture, module, fmt::format("the unit glint_{}", lobe)) +
                 fmt::format(R"(
@@ -197,11 +209,11 @@ endmodule
 
 `default_nettype wire
 )",
-                            module, architecture_parameters(architecture), profile.F + 1, profile.O, wires, lobe,
-                            assignments, ports, instances)};
+                            module, architecture_parameters(architecture) + (is_chosen(tables) ? logic_parameter : ""),
+                            profile.F + 1, profile.O, wires, lobe, assignments, ports, instances)};
 }
 
-GeneratedFile axis(std::string_view lobe, const Profile& profile, const Architecture& architecture) {
+GeneratedFile axis(std::string_view lobe, const Profile& profile, const Architecture& architecture, bool chosen) {
     const std::string module = fmt::format("glint_{}_axis_{}", lobe, profile.name);
     return {GeneratedFile::Target::verilog, module + ".v",
             header(lobe, profile, architecture, module, fmt::format("glint_{} as an AXI4-Stream unit", lobe)) +
@@ -283,7 +295,8 @@ endmodule
 `default_nettype wire
 )",
                             module, profile.F + 1, profile.O, profile.F, profile.O, lobe, profile.name,
-                            architecture_parameters(architecture), architecture_assignments(architecture))};
+                            architecture_parameters(architecture) + (chosen ? logic_parameter : ""),
+                            architecture_assignments(architecture) + (chosen ? "        .LOGIC(LOGIC),\n" : ""))};
 }
 
 }  // namespace
@@ -514,8 +527,11 @@ std::vector<GeneratedFile> generated_sources(std::string_view lobe, const Profil
     GeneratedFile unit = core(lobe, profile, architecture, numbers, tables);
     unit.unit = core_unit(lobe, profile, architecture, hardware);
     describe(*unit.unit, numbers, tables);
-    GeneratedFile wrapped = axis(lobe, profile, architecture);
+    const HardwareUnit::Parameter logic{"LOGIC", "0", "0, 1", "1: the tables stay out of block memory"};
+    if (is_chosen(tables)) unit.unit->parameters.push_back(logic);
+    GeneratedFile wrapped = axis(lobe, profile, architecture, is_chosen(tables));
     wrapped.unit = axis_unit(*unit.unit, lobe, profile, architecture);
+    if (is_chosen(tables)) wrapped.unit->parameters.push_back(logic);
     return with_tables(
         {std::move(unit), std::move(wrapped), constants_header(kernel(lobe, profile), profile, hls_constants, tables),
          top_function(kernel(lobe, profile), profile)},

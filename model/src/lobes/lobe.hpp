@@ -91,6 +91,7 @@ struct Table {
     std::vector<Field> fields;
     std::vector<std::vector<std::int64_t>> rows;  ///< 2^k of them, each with a value per field
     std::string module;                           ///< glint_table_<module> in Verilog: tables of one name are equal
+    bool chosen = false;  ///< its module and the wrapper have the parameter LOGIC: 1 keeps it out of block memory
 };
 
 /// What tables add to the module of a generated wrapper: its wires, the connections of the unit inside (each with a
@@ -98,7 +99,7 @@ struct Table {
 struct TableText {
     std::string wires, ports, instances;
 };
-TableText table_text(const std::vector<Table>& tables);
+TableText table_text(const std::vector<Table>& tables, bool wrapper_has_logic = false);
 
 /// `files`, and the modules of tables, a file each; one that several tables share is there once.
 std::vector<GeneratedFile> with_tables(std::vector<GeneratedFile> files, const std::vector<Table>& tables);
