@@ -165,7 +165,7 @@ TEST_CASE("the files of a unit are those of its description") {
 }
 
 TEST_CASE("a cell without a price is refused") {
-    const Family& ice40 = *find_device("hx8k").family;
+    const fpga::Family& ice40 = *find_device("hx8k").family;
     const Resources some = count_resources(ice40, {{"SB_LUT4", 3}, {"SB_DFFESR", 2}, {"SB_DFF", 5}, {"SB_CARRY", 1}});
     CHECK(some.luts == 3);
     CHECK(some.registers == 7);
