@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "cli/commands.hpp"
+#include "cli/packages.hpp"
 #include "glint/effect.hpp"
 #include "glint/error.hpp"
 #include "glint/sweep.hpp"
@@ -22,6 +23,7 @@ struct Options {
     std::string target = "all";
     std::string folder = ".";
     bool committed = false;
+    bool packages = false;
 };
 
 std::string_view name(GeneratedFile::Target target) {
@@ -68,7 +70,9 @@ void write(const std::vector<GeneratedFile>& all, const Options& options) {
     }
     for (const GeneratedFile& file : files) write(folder / file.name, file.text);
     const std::vector<HardwareUnit> units = units_of(files);
-    if (!units.empty()) write_units(units, folder, folder, emitted_paths, emitted_list);
+    if (units.empty()) return;
+    write_units(units, folder, folder, emitted_paths, emitted_list);
+    for (const auto& [path, text] : packages(files, "")) write(folder / path, text);
 }
 
 /// All of rtl/ that is generated.
@@ -79,13 +83,23 @@ void write_committed(const std::filesystem::path& rtl) {
     write_units(units_of(files), rtl, rtl / "generated", committed_paths, committed_list);
 }
 
+/// What is not committed, for an installed rtl/: FuseSoC cores, VHDL packages, Bender.yml.
+void write_packages(const std::filesystem::path& rtl) {
+    const std::vector<GeneratedFile> files = committed_verilog();
+    io::make_folder((rtl / "generated").string());
+    for (const auto& [path, text] : packages(files, "generated")) write(rtl / path, text);
+    write(rtl / "glint_by_hand.core", by_hand_core(units_of(files)));
+    write(rtl / "Bender.yml", bender(units_of(files)));
+}
+
 int run_emit(const Options& options) {
     if (options.target != "all" && options.target != "verilog" && options.target != "hls" &&
         options.target != "proof") {
         throw Error(fmt::format("target '{}' is not legal: verilog, hls, proof or all", options.target));
     }
-    if (options.committed) {
-        write_committed(options.folder);
+    if (options.committed || options.packages) {
+        if (options.committed) write_committed(options.folder);
+        if (options.packages) write_packages(options.folder);
         return io::success;
     }
     // All before the first is written: a profile that is not legal leaves nothing behind.
@@ -132,6 +146,8 @@ void add_emit(CLI::App& app, Chosen& chosen) {
     command->add_option("--target", options->target, "verilog, hls, proof or all")->capture_default_str();
     command->add_option("-o,--output", options->folder, "Folder")->capture_default_str();
     command->add_flag("--committed", options->committed, "Instead all that is generated in rtl/ (-o rtl): docs/rtl.md");
+    command->add_flag("--packages", options->packages,
+                      "Instead FuseSoC cores and VHDL packages of rtl/ (docs/tools.md)");
     command->footer("Example: glint emit --lobe bps --profile 18,14,14,12 -o out");
     command->callback([=, &chosen] { chosen.run = [=] { return run_emit(*options); }; });
 }

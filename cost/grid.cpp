@@ -51,8 +51,9 @@ Resources price(Flow& flow, const Lobe& lobe, const Profile& profile, const Grid
     std::vector<Source> sources = read_sources(options.rtl, design_of(files));
     sources.push_back({"glint_harness.v", harness(unit)});
     const Device& device = find_device(options.device);
-    const Resources all = Flow::Netlist(flow, sources, device, false).resources();
-    const Resources around = Flow::Netlist(flow, {{"glint_harness.v", harness_alone(unit)}}, device, false).resources();
+    const Resources all = Flow::Netlist(flow, sources, device, Products::gates).resources();
+    const Resources around =
+        Flow::Netlist(flow, {{"glint_harness.v", harness_alone(unit)}}, device, Products::gates).resources();
     return {all.luts - around.luts, all.registers - around.registers, all.carries - around.carries,
             all.dsps - around.dsps, all.brams - around.brams};
 }

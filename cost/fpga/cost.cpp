@@ -84,10 +84,9 @@ std::vector<Request> requests(const Options& options, Flow& flow) {
     return out;
 }
 
-/// Whether synthesis may put products into DSPs. A unit with blocks of its own has none to put there, and synth_ice40
-/// -dsp of Yosys 0.23 takes the registers out of its blocks.
-bool infers_dsps(const PricedUnit& unit, const Device& device, bool dsp) {
-    return dsp && (unit.family.empty() || device.family->dsp_on.empty());
+Products products_of(const PricedUnit& unit, bool dsp) {
+    if (!unit.family.empty()) return Products::blocks;
+    return dsp ? Products::dsps : Products::gates;
 }
 
 Point price(Flow& flow, const Request& request, const std::vector<Source>& sources, const std::string& rtl,
@@ -107,11 +106,11 @@ Point price(Flow& flow, const Request& request, const std::vector<Source>& sourc
     out.latency = clocks.latency;
     out.interval = clocks.interval;
 
-    const bool infers = infers_dsps(*request.what, device, request.dsp);
+    const Products products = products_of(*request.what, request.dsp);
     std::vector<Source> with_harness = sources;
     with_harness.push_back({"glint_harness.v", harness(unit)});
-    Flow::Netlist whole(flow, with_harness, device, infers);
-    Flow::Netlist alone(flow, {{"glint_harness.v", harness_alone(unit)}}, device, infers);
+    Flow::Netlist whole(flow, with_harness, device, products);
+    Flow::Netlist alone(flow, {{"glint_harness.v", harness_alone(unit)}}, device, products);
     const Resources all = whole.resources();
     const Resources around = alone.resources();
     out.resources = {all.luts - around.luts, all.registers - around.registers, all.carries - around.carries,
@@ -139,7 +138,7 @@ Point price(Flow& flow, const Request& request, const std::vector<Source>& sourc
         out.fits = false;
         out.why = fmt::format("no seed is routed in {} s of processor time", router_cpu_seconds);
     }
-    out.hash = price_hash(with_harness, device, infers);
+    out.hash = price_hash(with_harness, device, products);
     return out;
 }
 
@@ -180,7 +179,7 @@ bool is_current(const Point& point, const std::string& rtl) {
     std::vector<Source> sources = read_sources(rtl, priced.design);
     sources.push_back({"glint_harness.v", harness(priced.unit)});
     const Device& device = find_device(point.device);
-    return price_hash(sources, device, infers_dsps(priced, device, point.dsp)) == point.hash;
+    return price_hash(sources, device, products_of(priced, point.dsp)) == point.hash;
 }
 
 /// A line for every lobe or effect that the file has no price of, or not at every shipped profile, listed architecture

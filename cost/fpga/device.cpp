@@ -10,9 +10,18 @@
 namespace glint::fpga {
 namespace {
 
-constexpr Family ice40{"synth_ice40", "-dsp", "", "nextpnr-ice40", "ICESTORM_LC", false};
-constexpr Family ecp5{"synth_ecp5", "", "-nodsp", "nextpnr-ecp5", "TRELLIS_COMB"};
-constexpr Family xc7{"synth_xilinx -flatten", "", "-nodsp", "", ""};
+constexpr Family ice40{"synth_ice40", "-dsp", "", "nextpnr-ice40", "ICESTORM_LC", "synth_ice40 -top glint_harness",
+                       false};
+constexpr Family ecp5{"synth_ecp5",
+                      "",
+                      "-nodsp",
+                      "nextpnr-ecp5",
+                      "TRELLIS_COMB",
+                      "hierarchy -top glint_harness; proc; flatten; opt_expr; opt_clean; memory_collect; "
+                      "memory_map -rom-only -attr rom_style=logic; "
+                      "synth_ecp5 -top glint_harness -run begin:map_ffs; dffunmap -srst-only; "
+                      "synth_ecp5 -top glint_harness -run map_ffs:"};
+constexpr Family xc7{"synth_xilinx -flatten", "", "-nodsp", "", "", ""};
 
 /// What one cell costs. A name that ends with '*' is the beginning of names.
 struct Price {

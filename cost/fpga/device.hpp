@@ -27,8 +27,15 @@ struct Family {
     std::string_view dsp_off;
     std::string_view router;  ///< "nextpnr-ice40"; empty: resources alone
     std::string_view cell;    ///< nextpnr's name for the cell of a LUT and a register, e.g. "ICESTORM_LC"
-    bool times_dsps = true;   ///< the router knows how long a DSP takes
+    /// The commands for a unit made of the family's blocks, down to cells. Those of synth_ice40 without -dsp: with it
+    /// Yosys 0.23 takes the registers out of SB_MAC16. Those of ECP5 keep resets out of the registers, which have none:
+    /// what Yosys makes of `x ? 0 : y` costs a way through a LUT to the reset pin, 1 ns.
+    std::string_view blocks;
+    bool times_dsps = true;  ///< the router knows how long a DSP takes
 };
+
+/// What synthesis makes of a product: gates, DSPs that it finds, or the blocks that stand in the source.
+enum class Products { gates, dsps, blocks };
 
 struct Device {
     std::string_view name;  ///< as on the command line

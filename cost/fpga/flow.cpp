@@ -132,11 +132,15 @@ std::string without_layout(std::string_view text) {
     return out;
 }
 
-std::string yosys_script(const std::vector<Source>& sources, const Device& device, bool dsp) {
-    const std::string_view option = dsp ? device.family->dsp_on : device.family->dsp_off;
-    return fmt::format(
-        "read_verilog {}; {}{}{} -top glint_harness; write_json netlist.json; tee -q -o stat.json stat -json",
-        fmt::join(verilog(sources), " "), device.family->synthesis, option.empty() ? "" : " ", option);
+std::string yosys_script(const std::vector<Source>& sources, const Device& device, Products products) {
+    const Family& family = *device.family;
+    const std::string_view option = products == Products::dsps ? family.dsp_on : family.dsp_off;
+    const std::string commands =
+        products == Products::blocks
+            ? std::string(family.blocks)
+            : fmt::format("{}{}{} -top glint_harness", family.synthesis, option.empty() ? "" : " ", option);
+    return fmt::format("read_verilog {}; {}; write_json netlist.json; tee -q -o stat.json stat -json",
+                       fmt::join(verilog(sources), " "), commands);
 }
 
 /// " n_i 7, cos_i -3"
@@ -199,11 +203,11 @@ std::string hash(std::string_view text) {
     return fmt::format("{:016x}", out);
 }
 
-std::string price_hash(const std::vector<Source>& sources, const Device& device, bool dsp) {
+std::string price_hash(const std::vector<Source>& sources, const Device& device, Products products) {
     std::vector<std::string> texts;
     for (const Source& source : sources) texts.push_back(without_layout(source.text));
     std::sort(texts.begin(), texts.end());
-    const std::string script = yosys_script({}, device, dsp);
+    const std::string script = yosys_script({}, device, products);
     return hash(fmt::format("{}{} {}", fmt::join(texts, " "), script, fmt::join(device.arguments, " ")));
 }
 
@@ -258,9 +262,9 @@ Json Flow::cached(const std::string& key, const std::function<Json()>& find) {
     return out;
 }
 
-Flow::Netlist::Netlist(Flow& flow, std::vector<Source> sources, const Device& device, bool dsp)
+Flow::Netlist::Netlist(Flow& flow, std::vector<Source> sources, const Device& device, Products products)
     : flow_(flow), sources_(std::move(sources)), device_(device) {
-    script_ = yosys_script(sources_, device, dsp);
+    script_ = yosys_script(sources_, device, products);
     key_ = joined(sources_) + script_;
 }
 

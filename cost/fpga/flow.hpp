@@ -52,7 +52,7 @@ std::string hash(std::string_view text);
 
 /// The hash of what decides a price, but for seeds and the versions of the tools: the texts of a design, apart from
 /// comments, layout, and the names and the order of files; and what the tools are told to do with them.
-std::string price_hash(const std::vector<Source>& sources, const Device& device, bool dsp);
+std::string price_hash(const std::vector<Source>& sources, const Device& device, Products products);
 
 /// A router that takes and gives back the same wires for ever is stopped after so much processor time, many times what
 /// one that comes to an end takes.
@@ -86,7 +86,7 @@ public:
     /// A design that is mapped to a device: with Yosys when its resources are not known yet, or a seed is not.
     class Netlist {
     public:
-        Netlist(Flow& flow, std::vector<Source> sources, const Device& device, bool dsp);
+        Netlist(Flow& flow, std::vector<Source> sources, const Device& device, Products products);
         /// Throws ToolFailure, as the next.
         Resources resources();
         Routing route(int seed);

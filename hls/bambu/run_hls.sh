@@ -1,5 +1,5 @@
 #!/bin/sh
-# Bambu (2024.10 or later); its steps after the C simulation nobody has run yet. In any folder:
+# Bambu v2024.03; its steps after the C simulation nobody has run yet on the kernels as they are now. In any folder:
 #
 #   glint vectors --lobe bps --profile p12 --count 10000 --seed 1 --format tv -o <repository>/hls/vectors
 #   <repository>/hls/bambu/run_hls.sh [PROFILE [LOBE]]   p8, p12 (default), p16; bps (default), cayley, ...

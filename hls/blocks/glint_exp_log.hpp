@@ -22,7 +22,7 @@ uint<V_W> parabola(uint<V_W> c0, sint<C1_W> c1, sint<C2_W> c2, uint<R + 1> r) {
 /// u = -log2(C / 2^F) at L bits: 0 .. F 2^L, and 31 2^L for C = 0. Constants has F, T, L and the table log2; CUT low
 /// bits of the normalised C are dropped.
 template <class Constants, int CUT = 0>
-uint<Constants::L + 5> log2(uint<Constants::F + 1> C) {
+GLINT_INLINE uint<Constants::L + 5> log2(uint<Constants::F + 1> C) {
     constexpr int F = Constants::F;
     constexpr int T = Constants::T;
     constexpr int L = Constants::L;

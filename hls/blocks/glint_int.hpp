@@ -1,39 +1,92 @@
-// glint_int: integers of a stated width for the HLS kernels, on <cstdint> alone.
+// glint_int: integers of a stated width for the HLS kernels.
 //
-// A kernel names the width of every value: sint<W> and uint<W> are the smallest <cstdint> types that hold W bits, and
-// to_sint<W>, to_uint<W> keep the low W bits, as a register of W bits would. A value that fits passes unchanged, and a
-// tool that tracks bits learns from them how narrow an operand is. To map a kernel to a vendor's types (ap_int, ac_int)
-// only this header changes; therefore a kernel converts to the width of the result before it adds, multiplies or shifts
-// left, where those types differ from <cstdint>, and divides nowhere.
+// A kernel names the width of every value: sint<W> and uint<W> hold W bits, and to_sint<W>, to_uint<W> keep the low W
+// bits, as a register of W bits would. A value that fits passes unchanged. At most one macro chooses what they are:
+//   none               the smallest <cstdint> types that hold W bits
+//   GLINT_INT_AP       ap_int<W>, ap_uint<W> of <ap_int.h>: Vitis HLS
+//   GLINT_INT_AC       ac_int<W, true>, ac_int<W, false> of <ac_int.h>: Catapult
+//   GLINT_INT_BITINT   _BitInt(W) of clang++ from 14, _ExtInt(W) of clang++ 11 to 13
+// The types differ in the width of a sum, a difference and a shift: so a kernel converts to the width of the result
+// before it adds, subtracts, negates or shifts left; it multiplies by product and product_u, and divides nowhere.
 #ifndef GLINT_INT_HPP
 #define GLINT_INT_HPP
+
+#if defined(GLINT_INT_AP) + defined(GLINT_INT_AC) + defined(GLINT_INT_BITINT) > 1
+#error "define at most one of GLINT_INT_AP, GLINT_INT_AC, GLINT_INT_BITINT"
+#endif
 
 #include <cstdint>
 #include <type_traits>
 
+#if defined(GLINT_INT_AP)
+#include <ap_int.h>
+#elif defined(GLINT_INT_AC)
+#include <ac_int.h>
+#elif defined(GLINT_INT_BITINT) && !defined(__clang__)
+#error "GLINT_INT_BITINT: this compiler has no _BitInt in C++; clang++ has"
+#endif
+
 #include "glint_names_begin.hpp"  // after all others
 
-// Every tool defines one of these while it synthesizes; each tool takes its own pragmas and passes over the others'.
-#if defined(__SYNTHESIS__) || defined(__BAMBU__)
-#define GLINT_HLS_PRAGMAS
+// The pragmas of one tool, which is known by what it defines: Bambu __BAMBU__, Vitis HLS __SYNTHESIS__. Catapult
+// defines
+// __SYNTHESIS__ too; its script adds GLINT_CATAPULT. Bambu must not see the others': its front end dies of `#pragma HLS
+// UNROLL` in a loop and of `#pragma HLS PIPELINE` from a macro.
+#if defined(__BAMBU__)
+#define GLINT_BAMBU
+#elif defined(__SYNTHESIS__) && !defined(GLINT_CATAPULT)
+#define GLINT_VITIS
 #endif
 
 // GLINT_UNROLL before a loop and GLINT_UNROLL_VITIS as its first line: every pass of it in hardware of its own.
-#ifdef __BAMBU__
-#define GLINT_UNROLL_BAMBU _Pragma("clang loop unroll(full)")
-#else
-#define GLINT_UNROLL_BAMBU
-#endif
-#ifdef GLINT_HLS_PRAGMAS
-#define GLINT_UNROLL _Pragma("hls_unroll yes") GLINT_UNROLL_BAMBU
-#define GLINT_UNROLL_VITIS _Pragma("HLS UNROLL")
-#else
+// GLINT_PIPELINE_CATAPULT before a top function and GLINT_PIPELINE_VITIS as its first line: one result a clock.
+// GLINT_INLINE before a function template: no call of it is left. Bambu pipelines no function with a call.
 #define GLINT_UNROLL
 #define GLINT_UNROLL_VITIS
+#define GLINT_PIPELINE_CATAPULT
+#define GLINT_PIPELINE_VITIS
+#define GLINT_INLINE
+#if defined(GLINT_BAMBU)
+#undef GLINT_UNROLL
+#define GLINT_UNROLL _Pragma("clang loop unroll(full)")
+#undef GLINT_INLINE
+#define GLINT_INLINE __attribute__((always_inline)) inline
+#elif defined(GLINT_CATAPULT)
+#undef GLINT_UNROLL
+#define GLINT_UNROLL _Pragma("hls_unroll yes")
+#undef GLINT_PIPELINE_CATAPULT
+#define GLINT_PIPELINE_CATAPULT _Pragma("hls_pipeline_init_interval 1")
+#elif defined(GLINT_VITIS)
+#undef GLINT_UNROLL_VITIS
+#define GLINT_UNROLL_VITIS _Pragma("HLS UNROLL")
+#undef GLINT_PIPELINE_VITIS
+#define GLINT_PIPELINE_VITIS _Pragma("HLS PIPELINE II = 1")
 #endif
 
 namespace glint_hls {
 
+#if defined(GLINT_INT_AP)
+template <int W>
+using sint = ap_int<W>;
+template <int W>
+using uint = ap_uint<W>;
+#elif defined(GLINT_INT_AC)
+template <int W>
+using sint = ac_int<W, true>;
+template <int W>
+using uint = ac_int<W, false>;
+#elif defined(GLINT_INT_BITINT) && __clang_major__ >= 14
+template <int W>
+using sint = signed _BitInt(W);
+template <int W>
+using uint = unsigned _BitInt(W);
+#elif defined(GLINT_INT_BITINT)
+template <int W>
+using sint = signed _ExtInt(W);
+template <int W>
+using uint = unsigned _ExtInt(W);
+#else
+#define GLINT_INT_CSTDINT
 // What C++14 leaves to the implementation and the helpers below rest on.
 static_assert((std::int32_t{-3} >> 1) == -2 && (std::int64_t{-3} >> 1) == -2, ">> of a negative number is the floor");
 static_assert(static_cast<std::int32_t>(std::uint32_t{0xfffffffd}) == -3, "conversion to signed wraps modulo 2^W");
@@ -45,21 +98,43 @@ using sint = std::conditional_t<
 
 template <int W>
 using uint = std::make_unsigned_t<sint<W>>;
+#endif
+
+// Ports of W bits of a top function, at most 32: of 32 bits with <cstdint>.
+#ifdef GLINT_INT_CSTDINT
+template <int W>
+using sint_port = std::int32_t;
+template <int W>
+using uint_port = std::uint32_t;
+#else
+template <int W>
+using sint_port = sint<W>;
+template <int W>
+using uint_port = uint<W>;
+#endif
 
 /// x mod 2^W, in 0 .. 2^W - 1.
 template <int W, class T>
 constexpr uint<W> to_uint(T x) {
     static_assert(W >= 1 && W <= 64, "1 to 64 bits");
+#ifdef GLINT_INT_CSTDINT
     constexpr int spare = 8 * static_cast<int>(sizeof(uint<W>)) - W;
     return static_cast<uint<W>>(static_cast<uint<W>>(x) & static_cast<uint<W>>(static_cast<uint<W>>(-1) >> spare));
+#else
+    return static_cast<uint<W>>(x);
+#endif
 }
 
 /// x mod 2^W, in -2^(W-1) .. 2^(W-1) - 1.
 template <int W, class T>
 constexpr sint<W> to_sint(T x) {
-    static_assert(W >= 1 && W <= 64, "1 to 64 bits");
+    static_assert(W >= 2 && W <= 64, "2 to 64 bits");
+#ifdef GLINT_INT_CSTDINT
     constexpr int spare = 8 * static_cast<int>(sizeof(sint<W>)) - W;
     return static_cast<sint<W>>(static_cast<sint<W>>(static_cast<uint<W>>(x) << spare) >> spare);
+#else
+    return static_cast<sint<W>>(x);
+#endif
 }
 
 /// floor(x / 2^k).
@@ -74,10 +149,25 @@ constexpr T rnd(T x) {
     return floor_shift<k>(static_cast<T>(x + static_cast<T>(T{1} << (k - 1))));
 }
 
-/// x y, where the caller knows that it fits W signed bits.
+/// x y, where the caller knows that it fits W signed bits. The vendors' types multiply at the widths of the factors.
 template <int W, class T, class U>
 constexpr sint<W> product(T x, U y) {
+#if defined(GLINT_INT_AP) || defined(GLINT_INT_AC)
+    return static_cast<sint<W>>(x * y);
+#else
     return static_cast<sint<W>>(static_cast<sint<W>>(x) * static_cast<sint<W>>(y));
+#endif
+}
+
+/// x y of unsigned factors, where the caller knows that it fits W bits.
+template <int W, class T, class U>
+constexpr uint<W> product_u(T x, U y) {
+#if defined(GLINT_INT_AP) || defined(GLINT_INT_AC)
+    return static_cast<uint<W>>(x * y);
+#else
+    constexpr int at_least = W < 32 ? 32 : W;  // uint16_t would be multiplied as int, and overflow
+    return to_uint<W>(static_cast<uint<at_least>>(x) * static_cast<uint<at_least>>(y));
+#endif
 }
 
 }  // namespace glint_hls

@@ -91,13 +91,13 @@ uint<Constants::O + 8> scaled_power(sint<Z_W> z, uint<K + 2> factor) {
     constexpr int OPERAND_W = S + K + 2 - DROP + PAD;
 
     const uint<S + 1> p = exp2_fraction<Constants>(to_uint<S>(z));
-    const uint<S + K + 2> product = to_uint<S + K + 2>(to_uint<S + K + 2>(p) * to_uint<S + K + 2>(factor));
+    const uint<S + K + 2> product = product_u<S + K + 2>(p, factor);
     const uint<OPERAND_W> operand = to_uint<OPERAND_W>(to_uint<OPERAND_W>(product >> DROP) << PAD);
     const sint<Z_W - S + 1> j = to_sint<Z_W - S + 1>(to_sint<Z_W - S + 1>(z >> S) + 8 + BELOW);
-    const uint<OPERAND_W> cut = to_uint<OPERAND_W>(operand >> to_uint<6>(j));
+    const bool nothing = factor == 0 || j > O + 10 + BELOW;
+    const uint<OPERAND_W> cut = to_uint<OPERAND_W>(operand >> (nothing || j < 0 ? to_uint<6>(0) : to_uint<6>(j)));
     const uint<OPERAND_W> rounded = rnd<1>(cut);
     const uint<OPERAND_W> most = to_uint<OPERAND_W>((std::uint64_t{1} << (O + 8)) - 1);
-    const bool nothing = factor == 0 || j > O + 10 + BELOW;
     const bool full = j < 0 || rounded > most;
     return to_uint<O + 8>(nothing ? to_uint<OPERAND_W>(0) : full ? most : rounded);
 }

@@ -57,7 +57,7 @@ uint<S + 1> divide(uint<D_W> x, uint<D_W> D) {
 /// n (2^F - C), at most 1023 2^F.
 template <int F>
 uint<F + 10> scaled_distance(const Corrected<F>& in) {
-    return to_uint<F + 10>(to_uint<F + 10>(in.n) * to_uint<F + 10>(in.distance));
+    return product_u<F + 10>(in.n, in.distance);
 }
 
 /// Schlick's fraction at S bits: floor(C 2^S / D), D = n 2^F - (n-1) C = C + n (2^F - C). D is at most n 2^F, since it
@@ -71,7 +71,7 @@ uint<S + 1> ratio(const Corrected<F>& in) {
 /// rnd(x^2, 2 S - R): the square of a fraction 0 .. 2^S, at R bits, 0 .. 2^R. Its product and half fit 2 S + 1 bits.
 template <int S, int R>
 uint<R + 1> square(uint<S + 1> x) {
-    const uint<2 * S + 1> product = to_uint<2 * S + 1>(to_uint<2 * S + 1>(x) * to_uint<2 * S + 1>(x));
+    const uint<2 * S + 1> product = product_u<2 * S + 1>(x, x);
     return to_uint<R + 1>(rnd<2 * S - R>(product));
 }
 
@@ -94,7 +94,7 @@ uint<O + 1> power(uint<S + 1> r, uint<3> chosen) {
     const bool takes_r2 = chosen == 4 || chosen == 6;
     const uint<S + 1> left = chosen == 0 ? last : chosen <= 2 ? r : chosen <= 4 ? r2 : r4;
     const uint<S + 1> right = chosen == 0 ? last : chosen == 1 ? one : takes_r ? r : takes_r2 ? r2 : r4;
-    const uint<2 * S + 1> exact = to_uint<2 * S + 1>(to_uint<2 * S + 1>(left) * to_uint<2 * S + 1>(right));
+    const uint<2 * S + 1> exact = product_u<2 * S + 1>(left, right);
     return to_uint<O + 1>(rnd<2 * S - O>(exact));
 }
 
@@ -102,19 +102,10 @@ uint<O + 1> power(uint<S + 1> r, uint<3> chosen) {
 template <int F, int O>
 std::uint32_t word(const Corrected<F>& in, uint<O + 1> y) {
     const uint<32> value = in.negative ? to_uint<32>(0) : to_uint<32>(y);
-    return to_uint<32>(value | to_uint<32>(to_uint<32>(in.clamped) << 31));
+    return static_cast<std::uint32_t>(value | to_uint<32>(to_uint<32>(in.clamped) << 31));
 }
 
 }  // namespace glint_hls
-
-// GLINT_PIPELINE_CATAPULT before a top function and GLINT_PIPELINE_VITIS as its first line: one result a clock.
-#ifdef GLINT_HLS_PRAGMAS
-#define GLINT_PIPELINE_CATAPULT _Pragma("hls_pipeline_init_interval 1")
-#define GLINT_PIPELINE_VITIS _Pragma("HLS PIPELINE II = 1")
-#else
-#define GLINT_PIPELINE_CATAPULT
-#define GLINT_PIPELINE_VITIS
-#endif
 
 #include "glint_names_end.hpp"
 

@@ -12,13 +12,13 @@ namespace glint_hls {
 /// 2^O (2^(O+4) - 1) + 2^(O-1) is below 2^(2O+4).
 template <int O>
 uint<O + 4> ambient_channel(uint<O + 1> k, std::uint32_t i) {
-    const uint<2 * O + 4> product = to_uint<2 * O + 4>(to_uint<2 * O + 4>(k) * to_uint<2 * O + 4>(to_uint<O + 4>(i)));
+    const uint<2 * O + 4> product = product_u<2 * O + 4>(k, to_uint<O + 4>(i));
     return to_uint<O + 4>(rnd<O>(product));
 }
 
-template <class Constants>
+template <class Constants, class Word>
 void effect_ambient(std::uint32_t k_r, std::uint32_t k_g, std::uint32_t k_b, std::uint32_t i_r, std::uint32_t i_g,
-                    std::uint32_t i_b, std::uint32_t* r, std::uint32_t* g, std::uint32_t* b, bool* clamped) {
+                    std::uint32_t i_b, Word* r, Word* g, Word* b, bool* clamped) {
     constexpr int O = Constants::O;
     static_assert(O >= 4 && O <= 27, "O: 4 to 27");
 

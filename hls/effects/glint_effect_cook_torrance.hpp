@@ -33,10 +33,10 @@ Tangent<Constants::S> tangent(uint<Constants::F + 1> nh, uint<Constants::O + 10>
     constexpr int DIVIDEND_W = PRODUCT_W + S - O;
     constexpr int DIVISOR_W = W + 1 + S + 7;
     const uint<2 * F + 1> one = to_uint<2 * F + 1>(uint<2 * F + 1>{1} << (2 * F));
-    const uint<2 * F + 1> square = to_uint<2 * F + 1>(to_uint<2 * F + 1>(nh) * to_uint<2 * F + 1>(nh));
+    const uint<2 * F + 1> square = product_u<2 * F + 1>(nh, nh);
     const uint<W + 1> s = to_uint<W + 1>(to_uint<2 * F + 1>(one - square) >> (2 * F - W));
     const uint<W + 1> e = to_uint<W + 1>(to_uint<W + 1>(uint<W + 1>{1} << W) - s);
-    const uint<PRODUCT_W> product = to_uint<PRODUCT_W>(to_uint<PRODUCT_W>(falloff) * to_uint<PRODUCT_W>(s));
+    const uint<PRODUCT_W> product = product_u<PRODUCT_W>(falloff, s);
     Tangent<S> out;
     out.beyond = to_uint<W + 3>(product >> (O + 7)) >= e;
     const uint<DIVIDEND_W> exact = to_uint<DIVIDEND_W>(to_uint<DIVIDEND_W>(product) << (S - O));
@@ -46,10 +46,10 @@ Tangent<Constants::S> tangent(uint<Constants::F + 1> nh, uint<Constants::O + 10>
     return out;
 }
 
-template <class Constants>
+template <class Constants, class Word>
 void effect_cook_torrance(std::int32_t nl, std::int32_t nv, std::int32_t nh, std::int32_t vh,
-                          std::uint32_t falloff_port, std::int32_t level_port, std::uint32_t excess_port,
-                          std::uint32_t* y, bool* clamped) {
+                          std::uint32_t falloff_port, std::int32_t level_port, std::uint32_t excess_port, Word* y,
+                          bool* clamped) {
     constexpr int F = Constants::F;
     constexpr int L = Constants::L;
     constexpr int O = Constants::O;
@@ -67,17 +67,16 @@ void effect_cook_torrance(std::int32_t nl, std::int32_t nv, std::int32_t nh, std
     const Tangent<S> t = tangent<Constants>(f.nh, falloff.value);
 
     // root^2 <= excess + vh^2 <= 16: 2 R + 5 bits.
-    const uint<2 * R + 6> vh_square =
-        to_uint<2 * R + 6>(to_uint<2 * R + 6>(to_uint<2 * R + 6>(f.vh) * to_uint<2 * R + 6>(f.vh)) << (2 * R - 2 * F));
+    const uint<2 * R + 6> vh_square = to_uint<2 * R + 6>(product_u<2 * R + 6>(f.vh, f.vh) << (2 * R - 2 * F));
     const uint<2 * R + 6> excess_wide = to_uint<2 * R + 6>(to_uint<2 * R + 6>(excess) << (2 * R - 12));
     const uint<R + 3> root = floor_sqrt<R + 3>(to_uint<2 * R + 6>(excess_wide + vh_square));
     const uint<R + 3> q = to_uint<R + 3>(root + to_uint<R + 3>(to_uint<R + 3>(f.vh) << (R - F)));
     const uint<L + 5> uq = log2<LogarithmOfQ<Constants>, R + 4 - L>(to_uint<R + 4>(q));
 
     // across at most 4; the numerator's magnitude at most the denominator, which is 1 .. 4.
-    const uint<F + R + 4> across_exact = to_uint<F + R + 4>(to_uint<F + R + 4>(f.vh) * to_uint<F + R + 4>(root));
+    const uint<F + R + 4> across_exact = product_u<F + R + 4>(f.vh, root);
     const sint<S + 4> across = to_sint<S + 4>(rnd<F + R - S>(across_exact));
-    const uint<2 * F + 1> vh_exact = to_uint<2 * F + 1>(to_uint<2 * F + 1>(f.vh) * to_uint<2 * F + 1>(f.vh));
+    const uint<2 * F + 1> vh_exact = product_u<2 * F + 1>(f.vh, f.vh);
     const sint<S + 4> square_vh = to_sint<S + 4>(rnd<2 * F - S>(vh_exact));
     const sint<S + 4> rest = to_sint<S + 4>(square_vh - to_sint<S + 4>(sint<S + 4>{1} << S));
     const sint<S + 4> numerator = to_sint<S + 4>(across + rest);
@@ -96,7 +95,7 @@ void effect_cook_torrance(std::int32_t nl, std::int32_t nv, std::int32_t nh, std
     const sint<S + 10> z = to_sint<S + 10>(to_sint<S + 10>(twelve + to_sint<S + 10>(t.t)) - known);
 
     const uint<O + 8> value = scaled_power<Constants, S, 0, S + 10>(z, factor);
-    *y = f.dark || t.beyond || excess == 0 ? 0U : static_cast<std::uint32_t>(value);
+    *y = f.dark || t.beyond || excess == 0 ? static_cast<Word>(0) : static_cast<Word>(value);
 }
 
 }  // namespace glint_hls

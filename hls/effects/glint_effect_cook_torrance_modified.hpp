@@ -17,10 +17,10 @@ sint<H_W + 1> horner(sint<K + 4> c, sint<H_W> h, uint<K> x) {
     return to_sint<H_W + 1>(to_sint<H_W + 1>(c) + to_sint<H_W + 1>(rnd<K>(exact)));
 }
 
-template <class Constants>
+template <class Constants, class Word>
 void effect_cook_torrance_modified(std::int32_t nl, std::int32_t nv, std::int32_t nh, std::int32_t vh,
                                    std::int32_t level_port, std::uint32_t stretch_port, std::int32_t c0,
-                                   std::int32_t c1, std::int32_t c2, std::int32_t c3, std::uint32_t* y, bool* clamped) {
+                                   std::int32_t c1, std::int32_t c2, std::int32_t c3, Word* y, bool* clamped) {
     constexpr int F = Constants::F;
     constexpr int L = Constants::L;
     constexpr int O = Constants::O;
@@ -34,7 +34,7 @@ void effect_cook_torrance_modified(std::int32_t nl, std::int32_t nv, std::int32_
 
     // Below 1024 at F + 8 bits; past the end, 1, the result is 0 whatever x is.
     const uint<F + 1> distance = to_uint<F + 1>(to_uint<F + 1>(uint<F + 1>{1} << F) - f.nh);
-    const uint<F + 19> stretched = to_uint<F + 19>(to_uint<F + 19>(distance) * to_uint<F + 19>(stretch.value));
+    const uint<F + 19> stretched = product_u<F + 19>(distance, stretch.value);
     const bool past = (stretched >> (F + 8)) != 0;
     const uint<K> x = to_uint<K>(stretched >> (F + 8 - K));
 
@@ -49,7 +49,7 @@ void effect_cook_torrance_modified(std::int32_t nl, std::int32_t nv, std::int32_
     const sint<S + 8> z = to_sint<S + 8>(-to_sint<S + 8>(gain + to_sint<S + 8>(level.value)));
 
     const uint<O + 8> value = scaled_power<Constants, K, K, S + 8>(z, factor);
-    *y = f.dark || past ? 0U : static_cast<std::uint32_t>(value);
+    *y = f.dark || past ? static_cast<Word>(0) : static_cast<Word>(value);
 }
 
 }  // namespace glint_hls

@@ -8,8 +8,8 @@
 
 namespace glint_hls {
 
-template <class Constants>
-void effect_lambert(std::int32_t nl, std::uint32_t* y, bool* clamped) {
+template <class Constants, class Word>
+void effect_lambert(std::int32_t nl, Word* y, bool* clamped) {
     constexpr int F = Constants::F;
     constexpr int O = Constants::O;
     static_assert(O >= 4 && O < F && F <= 30, "F: 8 to 30, O: 4 to F - 1");

@@ -8,9 +8,9 @@
 
 namespace glint_hls {
 
-template <class Constants>
+template <class Constants, class Word>
 void effect_oren_nayar(std::int32_t nl_port, std::int32_t nv_port, std::int32_t lv_port, std::uint32_t a_port,
-                       std::uint32_t b_port, std::uint32_t* y, bool* clamped) {
+                       std::uint32_t b_port, Word* y, bool* clamped) {
     constexpr int F = Constants::F;
     constexpr int O = Constants::O;
     constexpr int S = O + 2;
@@ -38,15 +38,15 @@ void effect_oren_nayar(std::int32_t nl_port, std::int32_t nv_port, std::int32_t 
 
     // The divider wants a quotient of at most 1, and gets one.
     const uint<S + 1> ratio = divide<S, F + 1>(light >= viewer ? viewer : light, viewer);
-    const uint<2 * S + 1> share = to_uint<2 * S + 1>(to_uint<2 * S + 1>(q) * to_uint<2 * S + 1>(ratio));
+    const uint<2 * S + 1> share = product_u<2 * S + 1>(q, ratio);
     const uint<S + 1> p = to_uint<S + 1>(rnd<S>(share));
 
     // a nl <= 1, b p <= 1/2 at S + F bits: one bit for 1.5, one for the half that rounds.
     constexpr int W = S + F + 2;
-    const uint<W> lambert = to_uint<W>(to_uint<W>(a.value) * to_uint<W>(light));
-    const uint<W> facets = to_uint<W>(to_uint<W>(to_uint<W>(b) * to_uint<W>(p)) << (F - S));
+    const uint<W> lambert = product_u<W>(a.value, light);
+    const uint<W> facets = to_uint<W>(product_u<W>(b, p) << (F - S));
     const uint<W> sum = to_uint<W>(lambert + facets);
-    *y = dark ? 0U : static_cast<std::uint32_t>(to_uint<O + 1>(rnd<S + F - O>(sum)));
+    *y = dark ? static_cast<Word>(0) : static_cast<Word>(to_uint<O + 1>(rnd<S + F - O>(sum)));
 }
 
 }  // namespace glint_hls

@@ -13,17 +13,16 @@ namespace glint_hls {
 template <int O>
 uint<O + 8> tint_channel(uint<O + 8> s, uint<O + 1> k, std::uint32_t i) {
     constexpr int W = 3 * O + 12;
-    const uint<2 * O + 4> colour = to_uint<2 * O + 4>(to_uint<2 * O + 4>(k) * to_uint<2 * O + 4>(to_uint<O + 4>(i)));
-    const uint<W> product = to_uint<W>(to_uint<W>(colour) * to_uint<W>(s));
+    const uint<2 * O + 4> colour = product_u<2 * O + 4>(k, to_uint<O + 4>(i));
+    const uint<W> product = product_u<W>(colour, s);
     const uint<O + 12> rounded = to_uint<O + 12>(rnd<2 * O>(product));
     const bool too_large = floor_shift<O + 8>(rounded) != 0;
     return too_large ? to_uint<O + 8>(-1) : to_uint<O + 8>(rounded);
 }
 
-template <class Constants>
+template <class Constants, class Word>
 void effect_tint(std::uint32_t s, std::uint32_t k_r, std::uint32_t k_g, std::uint32_t k_b, std::uint32_t i_r,
-                 std::uint32_t i_g, std::uint32_t i_b, std::uint32_t* r, std::uint32_t* g, std::uint32_t* b,
-                 bool* clamped) {
+                 std::uint32_t i_g, std::uint32_t i_b, Word* r, Word* g, Word* b, bool* clamped) {
     constexpr int O = Constants::O;
     static_assert(O >= 4 && O <= 16, "O: 4 to 16");
 

@@ -15,7 +15,7 @@ template <int F, int O>
 uint<O + 7> ward_scaled(sint<F + 2> h, uint<O + 7> k) {
     constexpr int H = O + 3;
     const uint<F + 1> magnitude = h < 0 ? to_uint<F + 1>(-h) : to_uint<F + 1>(h);
-    const uint<F + O + 7> exact = to_uint<F + O + 7>(to_uint<F + O + 7>(magnitude) * to_uint<F + O + 7>(k));
+    const uint<F + O + 7> exact = product_u<F + O + 7>(magnitude, k);
     const uint<O + 10> rounded = to_uint<O + 10>(rnd<F + O - H>(exact));
     const uint<O + 10> most = to_uint<O + 10>(to_uint<O + 10>(uint<O + 10>{1} << (H + 4)) - 1U);
     return to_uint<O + 7>(rounded < most ? rounded : most);
@@ -27,10 +27,10 @@ struct WardPower : Constants {
     static constexpr int O = Constants::O + 8;
 };
 
-template <class Constants>
+template <class Constants, class Word>
 void effect_ward(std::int32_t nl_port, std::int32_t nv_port, std::int32_t nh_port, std::int32_t ht_port,
                  std::int32_t hb_port, std::uint32_t kx_port, std::uint32_t ky_port, std::int32_t log_peak_port,
-                 std::uint32_t* y, bool* clamped) {
+                 Word* y, bool* clamped) {
     constexpr int F = Constants::F;
     constexpr int L = Constants::L;
     constexpr int S = Constants::S;
@@ -45,8 +45,9 @@ void effect_ward(std::int32_t nl_port, std::int32_t nv_port, std::int32_t nh_por
     const uint<O + 7> kx = to_uint<O + 7>(kx_port);
     const uint<O + 7> ky = to_uint<O + 7>(ky_port);
     const sint<S + 5> eight = to_sint<S + 5>(sint<S + 5>{8} << S);
+    const sint<S + 5> minus_eight = to_sint<S + 5>(-eight);
     const sint<S + 5> asked = to_sint<S + 5>(log_peak_port);
-    const sint<S + 5> log_peak = asked > eight ? eight : asked < -eight ? to_sint<S + 5>(-eight) : asked;
+    const sint<S + 5> log_peak = asked > eight ? eight : asked < minus_eight ? minus_eight : asked;
     *clamped = nl.clamped || nv.clamped || nh.clamped || ht.clamped || hb.clamped || asked != log_peak;
 
     // In the dark the numbers are those of grazing vectors: in range, and without meaning.
@@ -57,9 +58,9 @@ void effect_ward(std::int32_t nl_port, std::int32_t nv_port, std::int32_t nh_por
 
     // hx, hy below 16 at O + 3 bits: the sum of their squares is below 512 at 2 O + 6.
     constexpr int R_W = 2 * O + 15;
-    const uint<R_W> hx = ward_scaled<F, O>(ht.value, kx);
-    const uint<R_W> hy = ward_scaled<F, O>(hb.value, ky);
-    const uint<R_W> squares = to_uint<R_W>(to_uint<R_W>(hx * hx) + to_uint<R_W>(hy * hy));
+    const uint<O + 7> hx = ward_scaled<F, O>(ht.value, kx);
+    const uint<O + 7> hy = ward_scaled<F, O>(hb.value, ky);
+    const uint<R_W> squares = to_uint<R_W>(product_u<R_W>(hx, hx) + product_u<R_W>(hy, hy));
     const uint<T_W + 2> rounded = to_uint<T_W + 2>(rnd<O + 2>(squares));
     const uint<T_W + 2> most = to_uint<T_W + 2>(to_uint<T_W + 2>(uint<T_W + 2>{1} << T_W) - 1U);
     const uint<T_W> r2 = to_uint<T_W>(rounded < most ? rounded : most);
@@ -76,13 +77,13 @@ void effect_ward(std::int32_t nl_port, std::int32_t nv_port, std::int32_t nh_por
     const sint<L + 6> difference = to_sint<L + 6>(static_cast<sint<L + 6>>(log2<Constants>(light)) -
                                                   static_cast<sint<L + 6>>(log2<Constants>(viewer)));
     const sint<S + 9> w = to_sint<S + 9>(rnd<L + 1 - S>(difference));
-    const sint<S + 9> offset = to_sint<S + 9>(w + to_sint<S + 9>(eight - log_peak));
+    const sint<S + 9> offset = to_sint<S + 9>(w + (to_sint<S + 9>(eight) - to_sint<S + 9>(log_peak)));
     const sint<S + 9> e = to_sint<S + 9>(to_sint<S + 9>(t) + offset);
     const uint<S + 8> exponent = e < 0 ? to_uint<S + 8>(0) : to_uint<S + 8>(e);
 
     const uint<O + 9> power = exp2<WardPower<Constants>, S + 8>(exponent);
     const uint<O + 8> value = (power >> (O + 8)) != 0 ? to_uint<O + 8>(~uint<O + 8>{0}) : to_uint<O + 8>(power);
-    *y = dark ? 0U : static_cast<std::uint32_t>(value);
+    *y = dark ? static_cast<Word>(0) : static_cast<Word>(value);
 }
 
 }  // namespace glint_hls

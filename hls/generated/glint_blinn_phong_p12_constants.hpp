@@ -3,7 +3,7 @@
 #ifndef GLINT_BLINN_PHONG_P12_CONSTANTS_HPP
 #define GLINT_BLINN_PHONG_P12_CONSTANTS_HPP
 
-#include <cstdint>
+#include "../blocks/glint_int.hpp"
 
 #pragma push_macro("E")
 #undef E
@@ -27,8 +27,8 @@ struct glint_blinn_phong_p12_constants {
     static constexpr int E = 3;  // address bits of exp2
     static constexpr int S = 16;  // fraction bits of t and p
     static constexpr int O = 12;  // fraction bits of the output
-    static std::int64_t log2_c0(unsigned index) {
-        static const std::int64_t values[] = {
+    static std::uint32_t log2_c0(unsigned index) {
+        static const std::uint32_t values[] = {
             0, 1489619, 2934766, 4338018, 5701737, 7028089, 8319067, 9576509,
             10802114, 11997454, 13163988, 14303072, 15415967, 16503851, 17567824, 18608914,
             19628084, 20626240, 21604229, 22562850, 23502857, 24424957, 25329821, 26218081,
@@ -36,8 +36,8 @@ struct glint_blinn_phong_p12_constants {
         };
         return values[index];
     }
-    static std::int64_t log2_c1(unsigned index) {
-        static const std::int64_t values[] = {
+    static std::uint32_t log2_c1(unsigned index) {
+        static const std::uint32_t values[] = {
             1512537, 1466717, 1423590, 1382927, 1344522, 1308192, 1273773, 1241119,
             1210098, 1180589, 1152485, 1125687, 1100108, 1075665, 1052285, 1029898,
             1008446, 987868, 968112, 949133, 930882, 913321, 896409, 880113,
@@ -45,8 +45,8 @@ struct glint_blinn_phong_p12_constants {
         };
         return values[index];
     }
-    static std::int64_t log2_c2(unsigned index) {
-        static const std::int64_t values[] = {
+    static std::int16_t log2_c2(unsigned index) {
+        static const std::int16_t values[] = {
             -22918, -21570, -20338, -19208, -18170, -17214, -16331, -15514,
             -14758, -14055, -13401, -12792, -12224, -11692, -11195, -10728,
             -10290, -9879, -9491, -9126, -8782, -8457, -8149, -7858,
@@ -54,27 +54,27 @@ struct glint_blinn_phong_p12_constants {
         };
         return values[index];
     }
-    static std::int64_t exp2_c0(unsigned index) {
-        static const std::int64_t values[] = {
+    static std::uint32_t exp2_c0(unsigned index) {
+        static const std::uint32_t values[] = {
             65536, 60097, 55109, 50535, 46341, 42495, 38968, 35734,
         };
         return values[index];
     }
-    static std::int64_t exp2_c1(unsigned index) {
-        static const std::int64_t values[] = {
+    static std::int16_t exp2_c1(unsigned index) {
+        static const std::int16_t values[] = {
             -22698, -20816, -19088, -17503, -16050, -14719, -13496, -12378,
         };
         return values[index];
     }
-    static std::int64_t exp2_c2(unsigned index) {
-        static const std::int64_t values[] = {
+    static std::uint16_t exp2_c2(unsigned index) {
+        static const std::uint16_t values[] = {
             942, 864, 792, 727, 666, 611, 560, 514,
         };
         return values[index];
     }
 };
 
-extern "C" std::uint32_t glint_blinn_phong_p12(std::uint16_t n, std::int32_t cos_code);
+extern "C" std::uint32_t glint_blinn_phong_p12(glint_hls::uint<10> n, glint_hls::sint_port<20> cos_code);
 
 #pragma pop_macro("E")
 #pragma pop_macro("F")

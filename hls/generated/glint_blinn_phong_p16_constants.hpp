@@ -3,7 +3,7 @@
 #ifndef GLINT_BLINN_PHONG_P16_CONSTANTS_HPP
 #define GLINT_BLINN_PHONG_P16_CONSTANTS_HPP
 
-#include <cstdint>
+#include "../blocks/glint_int.hpp"
 
 #pragma push_macro("E")
 #undef E
@@ -27,8 +27,8 @@ struct glint_blinn_phong_p16_constants {
     static constexpr int E = 4;  // address bits of exp2
     static constexpr int S = 20;  // fraction bits of t and p
     static constexpr int O = 16;  // fraction bits of the output
-    static std::int64_t log2_c0(unsigned index) {
-        static const std::int64_t values[] = {
+    static std::uint32_t log2_c0(unsigned index) {
+        static const std::uint32_t values[] = {
             0, 12008628, 23833911, 35481364, 46956255, 58263624, 69408291, 80394873,
             91227790, 101911284, 112449419, 122846099, 133105070, 143229933, 153224150, 163091047,
             172833830, 182455581, 191959271, 201347762, 210623813, 219790085, 228849148, 237803479,
@@ -40,8 +40,8 @@ struct glint_blinn_phong_p16_constants {
         };
         return values[index];
     }
-    static std::int64_t log2_c1(unsigned index) {
-        static const std::int64_t values[] = {
+    static std::uint32_t log2_c1(unsigned index) {
+        static const std::uint32_t values[] = {
             12101719, 11915553, 11735029, 11559891, 11389905, 11224845, 11064502, 10908672,
             10757174, 10609824, 10466457, 10326912, 10191039, 10058696, 9929744, 9804059,
             9681514, 9561995, 9445391, 9331597, 9220511, 9112040, 9006090, 8902576,
@@ -53,8 +53,8 @@ struct glint_blinn_phong_p16_constants {
         };
         return values[index];
     }
-    static std::int64_t log2_c2(unsigned index) {
-        static const std::int64_t values[] = {
+    static std::int32_t log2_c2(unsigned index) {
+        static const std::int32_t values[] = {
             -93091, -90270, -87576, -85000, -82536, -80178, -77920, -75755,
             -73680, -71689, -69777, -67941, -66176, -64479, -62847, -61276,
             -59763, -58305, -56900, -55546, -54239, -52977, -51759, -50583,
@@ -66,22 +66,22 @@ struct glint_blinn_phong_p16_constants {
         };
         return values[index];
     }
-    static std::int64_t exp2_c0(unsigned index) {
-        static const std::int64_t values[] = {
+    static std::uint32_t exp2_c0(unsigned index) {
+        static const std::uint32_t values[] = {
             1048576, 1004120, 961548, 920782, 881744, 844361, 808563, 774282,
             741455, 710020, 679917, 651091, 623487, 597053, 571740, 547500,
         };
         return values[index];
     }
-    static std::int64_t exp2_c1(unsigned index) {
-        static const std::int64_t values[] = {
+    static std::int32_t exp2_c1(unsigned index) {
+        static const std::int32_t values[] = {
             -181676, -173976, -166596, -159534, -152771, -146294, -140094, -134152,
             -128464, -123020, -117802, -112808, -108026, -103445, -99060, -94859,
         };
         return values[index];
     }
-    static std::int64_t exp2_c2(unsigned index) {
-        static const std::int64_t values[] = {
+    static std::uint16_t exp2_c2(unsigned index) {
+        static const std::uint16_t values[] = {
             3852, 3688, 3532, 3382, 3239, 3102, 2970, 2844,
             2724, 2608, 2498, 2392, 2290, 2193, 2100, 2011,
         };
@@ -89,7 +89,7 @@ struct glint_blinn_phong_p16_constants {
     }
 };
 
-extern "C" std::uint32_t glint_blinn_phong_p16(std::uint16_t n, std::int32_t cos_code);
+extern "C" std::uint32_t glint_blinn_phong_p16(glint_hls::uint<10> n, glint_hls::sint_port<22> cos_code);
 
 #pragma pop_macro("E")
 #pragma pop_macro("F")

@@ -3,7 +3,7 @@
 #ifndef GLINT_BLINN_PHONG_P8_CONSTANTS_HPP
 #define GLINT_BLINN_PHONG_P8_CONSTANTS_HPP
 
-#include <cstdint>
+#include "../blocks/glint_int.hpp"
 
 #pragma push_macro("E")
 #undef E
@@ -27,48 +27,48 @@ struct glint_blinn_phong_p8_constants {
     static constexpr int E = 2;  // address bits of exp2
     static constexpr int S = 12;  // fraction bits of t and p
     static constexpr int O = 8;  // fraction bits of the output
-    static std::int64_t log2_c0(unsigned index) {
-        static const std::int64_t values[] = {
+    static std::uint32_t log2_c0(unsigned index) {
+        static const std::uint32_t values[] = {
             0, 183423, 356359, 519942, 675132, 822749, 963498, 1097989,
             1226755, 1350264, 1468929, 1583114, 1693146, 1799317, 1901887, 2001095,
         };
         return values[index];
     }
-    static std::int64_t log2_c1(unsigned index) {
-        static const std::int64_t values[] = {
+    static std::uint32_t log2_c1(unsigned index) {
+        static const std::uint32_t values[] = {
             188982, 177878, 168005, 159170, 151218, 144023, 137480, 131506,
             126030, 120992, 116340, 112033, 108034, 104309, 100834, 97582,
         };
         return values[index];
     }
-    static std::int64_t log2_c2(unsigned index) {
-        static const std::int64_t values[] = {
+    static std::int16_t log2_c2(unsigned index) {
+        static const std::int16_t values[] = {
             -5559, -4942, -4422, -3980, -3601, -3274, -2989, -2740,
             -2521, -2327, -2155, -2001, -1863, -1739, -1626, -1525,
         };
         return values[index];
     }
-    static std::int64_t exp2_c0(unsigned index) {
-        static const std::int64_t values[] = {
+    static std::uint16_t exp2_c0(unsigned index) {
+        static const std::uint16_t values[] = {
             4096, 3444, 2896, 2435,
         };
         return values[index];
     }
-    static std::int64_t exp2_c1(unsigned index) {
-        static const std::int64_t values[] = {
+    static std::int16_t exp2_c1(unsigned index) {
+        static const std::int16_t values[] = {
             -2834, -2382, -2004, -1682,
         };
         return values[index];
     }
-    static std::int64_t exp2_c2(unsigned index) {
-        static const std::int64_t values[] = {
+    static std::uint8_t exp2_c2(unsigned index) {
+        static const std::uint8_t values[] = {
             226, 190, 160, 134,
         };
         return values[index];
     }
 };
 
-extern "C" std::uint32_t glint_blinn_phong_p8(std::uint16_t n, std::int32_t cos_code);
+extern "C" std::uint32_t glint_blinn_phong_p8(glint_hls::uint<10> n, glint_hls::sint_port<18> cos_code);
 
 #pragma pop_macro("E")
 #pragma pop_macro("F")

@@ -3,7 +3,7 @@
 #ifndef GLINT_BPS_P16_CONSTANTS_HPP
 #define GLINT_BPS_P16_CONSTANTS_HPP
 
-#include <cstdint>
+#include "../blocks/glint_int.hpp"
 
 #pragma push_macro("F")
 #undef F
@@ -31,7 +31,7 @@ struct glint_bps_p16_constants {
     static constexpr std::int64_t d0 = 1435;
 };
 
-extern "C" std::uint32_t glint_bps_p16(std::uint16_t n, std::int32_t cos_code);
+extern "C" std::uint32_t glint_bps_p16(glint_hls::uint<10> n, glint_hls::sint_port<22> cos_code);
 
 #pragma pop_macro("F")
 #pragma pop_macro("K")

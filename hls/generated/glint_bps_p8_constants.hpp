@@ -3,7 +3,7 @@
 #ifndef GLINT_BPS_P8_CONSTANTS_HPP
 #define GLINT_BPS_P8_CONSTANTS_HPP
 
-#include <cstdint>
+#include "../blocks/glint_int.hpp"
 
 #pragma push_macro("F")
 #undef F
@@ -31,7 +31,7 @@ struct glint_bps_p8_constants {
     static constexpr std::int64_t d0 = 6;
 };
 
-extern "C" std::uint32_t glint_bps_p8(std::uint16_t n, std::int32_t cos_code);
+extern "C" std::uint32_t glint_bps_p8(glint_hls::uint<10> n, glint_hls::sint_port<18> cos_code);
 
 #pragma pop_macro("F")
 #pragma pop_macro("K")

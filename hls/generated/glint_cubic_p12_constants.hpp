@@ -3,7 +3,7 @@
 #ifndef GLINT_CUBIC_P12_CONSTANTS_HPP
 #define GLINT_CUBIC_P12_CONSTANTS_HPP
 
-#include <cstdint>
+#include "../blocks/glint_int.hpp"
 
 #pragma push_macro("F")
 #undef F
@@ -21,8 +21,8 @@ struct glint_cubic_p12_constants {
     static constexpr int S = 16;  // fraction bits of T
     static constexpr int K = 18;  // fraction bits of the coefficients
     static constexpr int O = 12;  // fraction bits of the output
-    static std::int64_t row_cut(unsigned index) {
-        static const std::int64_t values[] = {
+    static std::uint32_t row_cut(unsigned index) {
+        static const std::uint32_t values[] = {
             262145, 262145, 262145, 262145, 181978, 131210, 105354, 88705,
             76883, 67977, 60991, 55349, 50686, 46764, 43416, 40522,
             37995, 35768, 33790, 32022, 30430, 28991, 27682, 26488,
@@ -154,8 +154,8 @@ struct glint_cubic_p12_constants {
         };
         return values[index];
     }
-    static std::int64_t row_g1(unsigned index) {
-        static const std::int64_t values[] = {
+    static std::int32_t row_g1(unsigned index) {
+        static const std::int32_t values[] = {
             -262144, -262144, -262144, -262144, -256779, -251919, -248035, -244958,
             -242492, -240482, -238817, -237419, -236228, -235204, -234313, -233532,
             -232841, -232226, -231676, -231179, -230730, -230322, -229949, -229606,
@@ -287,8 +287,8 @@ struct glint_cubic_p12_constants {
         };
         return values[index];
     }
-    static std::int64_t row_g2(unsigned index) {
-        static const std::int64_t values[] = {
+    static std::uint32_t row_g2(unsigned index) {
+        static const std::uint32_t values[] = {
             0, 0, 65536, 87381, 85926, 81762, 77801, 74450,
             71675, 69370, 67439, 65804, 64404, 63195, 62140, 61212,
             60391, 59659, 59003, 58411, 57874, 57386, 56940, 56530,
@@ -420,8 +420,8 @@ struct glint_cubic_p12_constants {
         };
         return values[index];
     }
-    static std::int64_t row_g3(unsigned index) {
-        static const std::int64_t values[] = {
+    static std::int16_t row_g3(unsigned index) {
+        static const std::int16_t values[] = {
             0, 0, 0, -9709, -9529, -8373, -7291, -6401,
             -5682, -5098, -4618, -4217, -3878, -3589, -3339, -3121,
             -2929, -2759, -2608, -2472, -2350, -2239, -2138, -2045,
@@ -555,7 +555,7 @@ struct glint_cubic_p12_constants {
     }
 };
 
-extern "C" std::uint32_t glint_cubic_p12(std::uint16_t n, std::int32_t cos_code);
+extern "C" std::uint32_t glint_cubic_p12(glint_hls::uint<10> n, glint_hls::sint_port<20> cos_code);
 
 #pragma pop_macro("F")
 #pragma pop_macro("K")

@@ -3,7 +3,7 @@
 #ifndef GLINT_CUBIC_P16_CONSTANTS_HPP
 #define GLINT_CUBIC_P16_CONSTANTS_HPP
 
-#include <cstdint>
+#include "../blocks/glint_int.hpp"
 
 #pragma push_macro("F")
 #undef F
@@ -21,8 +21,8 @@ struct glint_cubic_p16_constants {
     static constexpr int S = 20;  // fraction bits of T
     static constexpr int K = 22;  // fraction bits of the coefficients
     static constexpr int O = 16;  // fraction bits of the output
-    static std::int64_t row_cut(unsigned index) {
-        static const std::int64_t values[] = {
+    static std::uint32_t row_cut(unsigned index) {
+        static const std::uint32_t values[] = {
             1048577, 1048577, 1048577, 1048577, 727911, 524837, 421416, 354820,
             307531, 271905, 243963, 221393, 202744, 187056, 173662, 162087,
             151978, 143070, 135159, 128085, 121720, 115962, 110728, 105949,
@@ -154,8 +154,8 @@ struct glint_cubic_p16_constants {
         };
         return values[index];
     }
-    static std::int64_t row_g1(unsigned index) {
-        static const std::int64_t values[] = {
+    static std::int32_t row_g1(unsigned index) {
+        static const std::int32_t values[] = {
             -4194304, -4194304, -4194304, -4194304, -4108467, -4030711, -3968555, -3919332,
             -3879869, -3847708, -3821075, -3798697, -3779652, -3763259, -3749007, -3736506,
             -3725456, -3715620, -3706808, -3698871, -3691685, -3685148, -3679177, -3673701,
@@ -287,8 +287,8 @@ struct glint_cubic_p16_constants {
         };
         return values[index];
     }
-    static std::int64_t row_g2(unsigned index) {
-        static const std::int64_t values[] = {
+    static std::uint32_t row_g2(unsigned index) {
+        static const std::uint32_t values[] = {
             0, 0, 1048576, 1398101, 1374822, 1308191, 1244811, 1191203,
             1146796, 1109921, 1079023, 1052858, 1030465, 1011112, 994236, 979399,
             966260, 954547, 944043, 934571, 925989, 918176, 911036, 904485,
@@ -420,8 +420,8 @@ struct glint_cubic_p16_constants {
         };
         return values[index];
     }
-    static std::int64_t row_g3(unsigned index) {
-        static const std::int64_t values[] = {
+    static std::int32_t row_g3(unsigned index) {
+        static const std::int32_t values[] = {
             0, 0, 0, -155345, -152462, -133964, -116649, -102414,
             -90919, -81575, -73886, -67471, -62052, -57419, -53418, -49929,
             -46863, -44147, -41725, -39553, -37595, -35819, -34203, -32726,
@@ -555,7 +555,7 @@ struct glint_cubic_p16_constants {
     }
 };
 
-extern "C" std::uint32_t glint_cubic_p16(std::uint16_t n, std::int32_t cos_code);
+extern "C" std::uint32_t glint_cubic_p16(glint_hls::uint<10> n, glint_hls::sint_port<22> cos_code);
 
 #pragma pop_macro("F")
 #pragma pop_macro("K")

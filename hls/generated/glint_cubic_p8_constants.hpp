@@ -3,7 +3,7 @@
 #ifndef GLINT_CUBIC_P8_CONSTANTS_HPP
 #define GLINT_CUBIC_P8_CONSTANTS_HPP
 
-#include <cstdint>
+#include "../blocks/glint_int.hpp"
 
 #pragma push_macro("F")
 #undef F
@@ -21,8 +21,8 @@ struct glint_cubic_p8_constants {
     static constexpr int S = 12;  // fraction bits of T
     static constexpr int K = 14;  // fraction bits of the coefficients
     static constexpr int O = 8;  // fraction bits of the output
-    static std::int64_t row_cut(unsigned index) {
-        static const std::int64_t values[] = {
+    static std::uint32_t row_cut(unsigned index) {
+        static const std::uint32_t values[] = {
             65537, 65537, 65537, 65537, 45495, 32803, 26339, 22177,
             19221, 16995, 15248, 13838, 12672, 11691, 10854, 10131,
             9499, 8942, 8448, 8006, 7608, 7248, 6921, 6622,
@@ -154,8 +154,8 @@ struct glint_cubic_p8_constants {
         };
         return values[index];
     }
-    static std::int64_t row_g1(unsigned index) {
-        static const std::int64_t values[] = {
+    static std::int16_t row_g1(unsigned index) {
+        static const std::int16_t values[] = {
             -16384, -16384, -16384, -16384, -16049, -15745, -15502, -15310,
             -15156, -15030, -14926, -14839, -14764, -14700, -14645, -14596,
             -14553, -14514, -14480, -14449, -14421, -14395, -14372, -14350,
@@ -287,8 +287,8 @@ struct glint_cubic_p8_constants {
         };
         return values[index];
     }
-    static std::int64_t row_g2(unsigned index) {
-        static const std::int64_t values[] = {
+    static std::uint16_t row_g2(unsigned index) {
+        static const std::uint16_t values[] = {
             0, 0, 4096, 5461, 5370, 5110, 4863, 4653,
             4480, 4336, 4215, 4113, 4025, 3950, 3884, 3826,
             3774, 3729, 3688, 3651, 3617, 3587, 3559, 3533,
@@ -420,8 +420,8 @@ struct glint_cubic_p8_constants {
         };
         return values[index];
     }
-    static std::int64_t row_g3(unsigned index) {
-        static const std::int64_t values[] = {
+    static std::int16_t row_g3(unsigned index) {
+        static const std::int16_t values[] = {
             0, 0, 0, -607, -596, -523, -456, -400,
             -355, -319, -289, -264, -242, -224, -209, -195,
             -183, -172, -163, -155, -147, -140, -134, -128,
@@ -555,7 +555,7 @@ struct glint_cubic_p8_constants {
     }
 };
 
-extern "C" std::uint32_t glint_cubic_p8(std::uint16_t n, std::int32_t cos_code);
+extern "C" std::uint32_t glint_cubic_p8(glint_hls::uint<10> n, glint_hls::sint_port<18> cos_code);
 
 #pragma pop_macro("F")
 #pragma pop_macro("K")

@@ -11,8 +11,20 @@
 #pragma push_macro("r")
 #undef r
 
+#ifdef GLINT_BAMBU
+#pragma HLS interface mode = none port = r
+#pragma HLS interface mode = none port = g
+#pragma HLS interface mode = none port = b
+#pragma HLS interface mode = none port = clamped
+#endif
 GLINT_PIPELINE_CATAPULT
-extern "C" void glint_effect_ambient_p16(std::uint32_t k_r, std::uint32_t k_g, std::uint32_t k_b, std::uint32_t i_r, std::uint32_t i_g, std::uint32_t i_b, std::uint32_t* r, std::uint32_t* g, std::uint32_t* b, bool* clamped) {
+extern "C" void glint_effect_ambient_p16(glint_hls::uint_port<17> k_r, glint_hls::uint_port<17> k_g, glint_hls::uint_port<17> k_b, glint_hls::uint_port<20> i_r, glint_hls::uint_port<20> i_g, glint_hls::uint_port<20> i_b, glint_hls::uint_port<20>* r, glint_hls::uint_port<20>* g, glint_hls::uint_port<20>* b, bool* clamped) {
     GLINT_PIPELINE_VITIS
-    glint_hls::effect_ambient<glint_effect_ambient_p16_constants>(k_r, k_g, k_b, i_r, i_g, i_b, r, g, b, clamped);
+#ifdef GLINT_VITIS
+#pragma HLS INTERFACE ap_none port=r
+#pragma HLS INTERFACE ap_none port=g
+#pragma HLS INTERFACE ap_none port=b
+#pragma HLS INTERFACE ap_none port=clamped
+#endif
+    glint_hls::effect_ambient<glint_effect_ambient_p16_constants>(static_cast<std::uint32_t>(k_r), static_cast<std::uint32_t>(k_g), static_cast<std::uint32_t>(k_b), static_cast<std::uint32_t>(i_r), static_cast<std::uint32_t>(i_g), static_cast<std::uint32_t>(i_b), r, g, b, clamped);
 }

@@ -3,7 +3,7 @@
 #ifndef GLINT_EFFECT_COOK_TORRANCE_MODIFIED_P12_CONSTANTS_HPP
 #define GLINT_EFFECT_COOK_TORRANCE_MODIFIED_P12_CONSTANTS_HPP
 
-#include <cstdint>
+#include "../blocks/glint_int.hpp"
 
 #pragma push_macro("E")
 #undef E
@@ -27,8 +27,8 @@ struct glint_effect_cook_torrance_modified_p12_constants {
     static constexpr int E = 3;  // address bits of exp2
     static constexpr int S = 16;  // fraction bits of exponents
     static constexpr int O = 12;  // fraction bits of the output
-    static std::int64_t log2_c0(unsigned index) {
-        static const std::int64_t values[] = {
+    static std::uint32_t log2_c0(unsigned index) {
+        static const std::uint32_t values[] = {
             0, 93101, 183423, 271126, 356359, 439256, 519942, 598532,
             675132, 749841, 822749, 893942, 963498, 1031491, 1097989, 1163057,
             1226755, 1289140, 1350264, 1410178, 1468929, 1526560, 1583114, 1638630,
@@ -36,8 +36,8 @@ struct glint_effect_cook_torrance_modified_p12_constants {
         };
         return values[index];
     }
-    static std::int64_t log2_c1(unsigned index) {
-        static const std::int64_t values[] = {
+    static std::uint32_t log2_c1(unsigned index) {
+        static const std::uint32_t values[] = {
             94533, 91670, 88974, 86433, 84033, 81762, 79611, 77570,
             75631, 73786, 72031, 70356, 68757, 67229, 65768, 64369,
             63028, 61741, 60507, 59321, 58180, 57083, 56025, 55007,
@@ -45,8 +45,8 @@ struct glint_effect_cook_torrance_modified_p12_constants {
         };
         return values[index];
     }
-    static std::int64_t log2_c2(unsigned index) {
-        static const std::int64_t values[] = {
+    static std::int16_t log2_c2(unsigned index) {
+        static const std::int16_t values[] = {
             -1432, -1348, -1271, -1200, -1136, -1076, -1021, -970,
             -922, -878, -838, -800, -764, -731, -700, -671,
             -643, -617, -593, -570, -549, -529, -509, -491,
@@ -54,27 +54,27 @@ struct glint_effect_cook_torrance_modified_p12_constants {
         };
         return values[index];
     }
-    static std::int64_t exp2_c0(unsigned index) {
-        static const std::int64_t values[] = {
+    static std::uint32_t exp2_c0(unsigned index) {
+        static const std::uint32_t values[] = {
             65536, 60097, 55109, 50535, 46341, 42495, 38968, 35734,
         };
         return values[index];
     }
-    static std::int64_t exp2_c1(unsigned index) {
-        static const std::int64_t values[] = {
+    static std::int16_t exp2_c1(unsigned index) {
+        static const std::int16_t values[] = {
             -22698, -20816, -19088, -17503, -16050, -14719, -13496, -12378,
         };
         return values[index];
     }
-    static std::int64_t exp2_c2(unsigned index) {
-        static const std::int64_t values[] = {
+    static std::uint16_t exp2_c2(unsigned index) {
+        static const std::uint16_t values[] = {
             942, 864, 792, 727, 666, 611, 560, 514,
         };
         return values[index];
     }
 };
 
-extern "C" void glint_effect_cook_torrance_modified_p12(std::int32_t nl, std::int32_t nv, std::int32_t nh, std::int32_t vh, std::int32_t level, std::uint32_t stretch, std::int32_t c0, std::int32_t c1, std::int32_t c2, std::int32_t c3, std::uint32_t* y, bool* clamped);
+extern "C" void glint_effect_cook_torrance_modified_p12(glint_hls::sint_port<20> nl, glint_hls::sint_port<20> nv, glint_hls::sint_port<20> nh, glint_hls::sint_port<20> vh, glint_hls::sint_port<22> level, glint_hls::uint_port<18> stretch, glint_hls::sint_port<21> c0, glint_hls::sint_port<21> c1, glint_hls::sint_port<21> c2, glint_hls::sint_port<21> c3, glint_hls::uint_port<20>* y, bool* clamped);
 
 #pragma pop_macro("E")
 #pragma pop_macro("F")

@@ -7,8 +7,16 @@
 #pragma push_macro("y")
 #undef y
 
+#ifdef GLINT_BAMBU
+#pragma HLS interface mode = none port = y
+#pragma HLS interface mode = none port = clamped
+#endif
 GLINT_PIPELINE_CATAPULT
-extern "C" void glint_effect_cook_torrance_modified_p16(std::int32_t nl, std::int32_t nv, std::int32_t nh, std::int32_t vh, std::int32_t level, std::uint32_t stretch, std::int32_t c0, std::int32_t c1, std::int32_t c2, std::int32_t c3, std::uint32_t* y, bool* clamped) {
+extern "C" void glint_effect_cook_torrance_modified_p16(glint_hls::sint_port<22> nl, glint_hls::sint_port<22> nv, glint_hls::sint_port<22> nh, glint_hls::sint_port<22> vh, glint_hls::sint_port<26> level, glint_hls::uint_port<18> stretch, glint_hls::sint_port<25> c0, glint_hls::sint_port<25> c1, glint_hls::sint_port<25> c2, glint_hls::sint_port<25> c3, glint_hls::uint_port<24>* y, bool* clamped) {
     GLINT_PIPELINE_VITIS
-    glint_hls::effect_cook_torrance_modified<glint_effect_cook_torrance_modified_p16_constants>(nl, nv, nh, vh, level, stretch, c0, c1, c2, c3, y, clamped);
+#ifdef GLINT_VITIS
+#pragma HLS INTERFACE ap_none port=y
+#pragma HLS INTERFACE ap_none port=clamped
+#endif
+    glint_hls::effect_cook_torrance_modified<glint_effect_cook_torrance_modified_p16_constants>(static_cast<std::int32_t>(nl), static_cast<std::int32_t>(nv), static_cast<std::int32_t>(nh), static_cast<std::int32_t>(vh), static_cast<std::int32_t>(level), static_cast<std::uint32_t>(stretch), static_cast<std::int32_t>(c0), static_cast<std::int32_t>(c1), static_cast<std::int32_t>(c2), static_cast<std::int32_t>(c3), y, clamped);
 }

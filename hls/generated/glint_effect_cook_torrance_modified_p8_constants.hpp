@@ -3,7 +3,7 @@
 #ifndef GLINT_EFFECT_COOK_TORRANCE_MODIFIED_P8_CONSTANTS_HPP
 #define GLINT_EFFECT_COOK_TORRANCE_MODIFIED_P8_CONSTANTS_HPP
 
-#include <cstdint>
+#include "../blocks/glint_int.hpp"
 
 #pragma push_macro("E")
 #undef E
@@ -27,48 +27,48 @@ struct glint_effect_cook_torrance_modified_p8_constants {
     static constexpr int E = 2;  // address bits of exp2
     static constexpr int S = 12;  // fraction bits of exponents
     static constexpr int O = 8;  // fraction bits of the output
-    static std::int64_t log2_c0(unsigned index) {
-        static const std::int64_t values[] = {
+    static std::uint32_t log2_c0(unsigned index) {
+        static const std::uint32_t values[] = {
             0, 11464, 22272, 32496, 42196, 51422, 60219, 68624,
             76672, 84392, 91808, 98945, 105822, 112457, 118868, 125068,
         };
         return values[index];
     }
-    static std::int64_t log2_c1(unsigned index) {
-        static const std::int64_t values[] = {
+    static std::uint16_t log2_c1(unsigned index) {
+        static const std::uint16_t values[] = {
             11811, 11117, 10500, 9949, 9451, 9002, 8592, 8219,
             7878, 7561, 7272, 7002, 6751, 6520, 6302, 6099,
         };
         return values[index];
     }
-    static std::int64_t log2_c2(unsigned index) {
-        static const std::int64_t values[] = {
+    static std::int16_t log2_c2(unsigned index) {
+        static const std::int16_t values[] = {
             -347, -309, -276, -249, -225, -205, -187, -171,
             -158, -145, -135, -125, -116, -109, -102, -95,
         };
         return values[index];
     }
-    static std::int64_t exp2_c0(unsigned index) {
-        static const std::int64_t values[] = {
+    static std::uint16_t exp2_c0(unsigned index) {
+        static const std::uint16_t values[] = {
             4096, 3444, 2896, 2435,
         };
         return values[index];
     }
-    static std::int64_t exp2_c1(unsigned index) {
-        static const std::int64_t values[] = {
+    static std::int16_t exp2_c1(unsigned index) {
+        static const std::int16_t values[] = {
             -2834, -2382, -2004, -1682,
         };
         return values[index];
     }
-    static std::int64_t exp2_c2(unsigned index) {
-        static const std::int64_t values[] = {
+    static std::uint8_t exp2_c2(unsigned index) {
+        static const std::uint8_t values[] = {
             226, 190, 160, 134,
         };
         return values[index];
     }
 };
 
-extern "C" void glint_effect_cook_torrance_modified_p8(std::int32_t nl, std::int32_t nv, std::int32_t nh, std::int32_t vh, std::int32_t level, std::uint32_t stretch, std::int32_t c0, std::int32_t c1, std::int32_t c2, std::int32_t c3, std::uint32_t* y, bool* clamped);
+extern "C" void glint_effect_cook_torrance_modified_p8(glint_hls::sint_port<18> nl, glint_hls::sint_port<18> nv, glint_hls::sint_port<18> nh, glint_hls::sint_port<18> vh, glint_hls::sint_port<18> level, glint_hls::uint_port<18> stretch, glint_hls::sint_port<17> c0, glint_hls::sint_port<17> c1, glint_hls::sint_port<17> c2, glint_hls::sint_port<17> c3, glint_hls::uint_port<16>* y, bool* clamped);
 
 #pragma pop_macro("E")
 #pragma pop_macro("F")

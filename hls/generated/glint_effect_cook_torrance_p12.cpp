@@ -7,8 +7,16 @@
 #pragma push_macro("y")
 #undef y
 
+#ifdef GLINT_BAMBU
+#pragma HLS interface mode = none port = y
+#pragma HLS interface mode = none port = clamped
+#endif
 GLINT_PIPELINE_CATAPULT
-extern "C" void glint_effect_cook_torrance_p12(std::int32_t nl, std::int32_t nv, std::int32_t nh, std::int32_t vh, std::uint32_t falloff, std::int32_t level, std::uint32_t excess, std::uint32_t* y, bool* clamped) {
+extern "C" void glint_effect_cook_torrance_p12(glint_hls::sint_port<20> nl, glint_hls::sint_port<20> nv, glint_hls::sint_port<20> nh, glint_hls::sint_port<20> vh, glint_hls::uint_port<22> falloff, glint_hls::sint_port<22> level, glint_hls::uint_port<16> excess, glint_hls::uint_port<20>* y, bool* clamped) {
     GLINT_PIPELINE_VITIS
-    glint_hls::effect_cook_torrance<glint_effect_cook_torrance_p12_constants>(nl, nv, nh, vh, falloff, level, excess, y, clamped);
+#ifdef GLINT_VITIS
+#pragma HLS INTERFACE ap_none port=y
+#pragma HLS INTERFACE ap_none port=clamped
+#endif
+    glint_hls::effect_cook_torrance<glint_effect_cook_torrance_p12_constants>(static_cast<std::int32_t>(nl), static_cast<std::int32_t>(nv), static_cast<std::int32_t>(nh), static_cast<std::int32_t>(vh), static_cast<std::uint32_t>(falloff), static_cast<std::int32_t>(level), static_cast<std::uint32_t>(excess), y, clamped);
 }

@@ -3,7 +3,7 @@
 #ifndef GLINT_EFFECT_COOK_TORRANCE_P16_CONSTANTS_HPP
 #define GLINT_EFFECT_COOK_TORRANCE_P16_CONSTANTS_HPP
 
-#include <cstdint>
+#include "../blocks/glint_int.hpp"
 
 #pragma push_macro("E")
 #undef E
@@ -27,8 +27,8 @@ struct glint_effect_cook_torrance_p16_constants {
     static constexpr int E = 4;  // address bits of exp2
     static constexpr int S = 20;  // fraction bits of exponents
     static constexpr int O = 16;  // fraction bits of the output
-    static std::int64_t log2_c0(unsigned index) {
-        static const std::int64_t values[] = {
+    static std::uint32_t log2_c0(unsigned index) {
+        static const std::uint32_t values[] = {
             0, 750539, 1489619, 2217585, 2934766, 3641477, 4338018, 5024680,
             5701737, 6369455, 7028089, 7677881, 8319067, 8951871, 9576509, 10193190,
             10802114, 11403474, 11997454, 12584235, 13163988, 13736880, 14303072, 14862717,
@@ -40,8 +40,8 @@ struct glint_effect_cook_torrance_p16_constants {
         };
         return values[index];
     }
-    static std::int64_t log2_c1(unsigned index) {
-        static const std::int64_t values[] = {
+    static std::uint32_t log2_c1(unsigned index) {
+        static const std::uint32_t values[] = {
             756357, 744722, 733439, 722493, 711870, 701552, 691532, 681792,
             672323, 663115, 654153, 645432, 636940, 628668, 620609, 612754,
             605095, 597624, 590337, 583225, 576282, 569503, 562880, 556411,
@@ -53,8 +53,8 @@ struct glint_effect_cook_torrance_p16_constants {
         };
         return values[index];
     }
-    static std::int64_t log2_c2(unsigned index) {
-        static const std::int64_t values[] = {
+    static std::int16_t log2_c2(unsigned index) {
+        static const std::int16_t values[] = {
             -5818, -5642, -5473, -5312, -5159, -5011, -4870, -4735,
             -4605, -4481, -4361, -4246, -4136, -4030, -3928, -3830,
             -3735, -3644, -3556, -3472, -3390, -3311, -3235, -3161,
@@ -66,22 +66,22 @@ struct glint_effect_cook_torrance_p16_constants {
         };
         return values[index];
     }
-    static std::int64_t exp2_c0(unsigned index) {
-        static const std::int64_t values[] = {
+    static std::uint32_t exp2_c0(unsigned index) {
+        static const std::uint32_t values[] = {
             1048576, 1004120, 961548, 920782, 881744, 844361, 808563, 774282,
             741455, 710020, 679917, 651091, 623487, 597053, 571740, 547500,
         };
         return values[index];
     }
-    static std::int64_t exp2_c1(unsigned index) {
-        static const std::int64_t values[] = {
+    static std::int32_t exp2_c1(unsigned index) {
+        static const std::int32_t values[] = {
             -181676, -173976, -166596, -159534, -152771, -146294, -140094, -134152,
             -128464, -123020, -117802, -112808, -108026, -103445, -99060, -94859,
         };
         return values[index];
     }
-    static std::int64_t exp2_c2(unsigned index) {
-        static const std::int64_t values[] = {
+    static std::uint16_t exp2_c2(unsigned index) {
+        static const std::uint16_t values[] = {
             3852, 3688, 3532, 3382, 3239, 3102, 2970, 2844,
             2724, 2608, 2498, 2392, 2290, 2193, 2100, 2011,
         };
@@ -89,7 +89,7 @@ struct glint_effect_cook_torrance_p16_constants {
     }
 };
 
-extern "C" void glint_effect_cook_torrance_p16(std::int32_t nl, std::int32_t nv, std::int32_t nh, std::int32_t vh, std::uint32_t falloff, std::int32_t level, std::uint32_t excess, std::uint32_t* y, bool* clamped);
+extern "C" void glint_effect_cook_torrance_p16(glint_hls::sint_port<22> nl, glint_hls::sint_port<22> nv, glint_hls::sint_port<22> nh, glint_hls::sint_port<22> vh, glint_hls::uint_port<26> falloff, glint_hls::sint_port<26> level, glint_hls::uint_port<16> excess, glint_hls::uint_port<24>* y, bool* clamped);
 
 #pragma pop_macro("E")
 #pragma pop_macro("F")

@@ -3,7 +3,7 @@
 #ifndef GLINT_EFFECT_LAMBERT_P12_CONSTANTS_HPP
 #define GLINT_EFFECT_LAMBERT_P12_CONSTANTS_HPP
 
-#include <cstdint>
+#include "../blocks/glint_int.hpp"
 
 #pragma push_macro("F")
 #undef F
@@ -17,7 +17,7 @@ struct glint_effect_lambert_p12_constants {
     static constexpr int O = 12;  // fraction bits of the output
 };
 
-extern "C" void glint_effect_lambert_p12(std::int32_t nl, std::uint32_t* y, bool* clamped);
+extern "C" void glint_effect_lambert_p12(glint_hls::sint_port<20> nl, glint_hls::uint_port<13>* y, bool* clamped);
 
 #pragma pop_macro("F")
 #pragma pop_macro("O")

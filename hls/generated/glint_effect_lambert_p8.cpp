@@ -7,8 +7,16 @@
 #pragma push_macro("y")
 #undef y
 
+#ifdef GLINT_BAMBU
+#pragma HLS interface mode = none port = y
+#pragma HLS interface mode = none port = clamped
+#endif
 GLINT_PIPELINE_CATAPULT
-extern "C" void glint_effect_lambert_p8(std::int32_t nl, std::uint32_t* y, bool* clamped) {
+extern "C" void glint_effect_lambert_p8(glint_hls::sint_port<18> nl, glint_hls::uint_port<9>* y, bool* clamped) {
     GLINT_PIPELINE_VITIS
-    glint_hls::effect_lambert<glint_effect_lambert_p8_constants>(nl, y, clamped);
+#ifdef GLINT_VITIS
+#pragma HLS INTERFACE ap_none port=y
+#pragma HLS INTERFACE ap_none port=clamped
+#endif
+    glint_hls::effect_lambert<glint_effect_lambert_p8_constants>(static_cast<std::int32_t>(nl), y, clamped);
 }

@@ -3,7 +3,7 @@
 #ifndef GLINT_EFFECT_LAMBERT_P8_CONSTANTS_HPP
 #define GLINT_EFFECT_LAMBERT_P8_CONSTANTS_HPP
 
-#include <cstdint>
+#include "../blocks/glint_int.hpp"
 
 #pragma push_macro("F")
 #undef F
@@ -17,7 +17,7 @@ struct glint_effect_lambert_p8_constants {
     static constexpr int O = 8;  // fraction bits of the output
 };
 
-extern "C" void glint_effect_lambert_p8(std::int32_t nl, std::uint32_t* y, bool* clamped);
+extern "C" void glint_effect_lambert_p8(glint_hls::sint_port<18> nl, glint_hls::uint_port<9>* y, bool* clamped);
 
 #pragma pop_macro("F")
 #pragma pop_macro("O")

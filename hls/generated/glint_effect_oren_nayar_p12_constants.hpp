@@ -3,7 +3,7 @@
 #ifndef GLINT_EFFECT_OREN_NAYAR_P12_CONSTANTS_HPP
 #define GLINT_EFFECT_OREN_NAYAR_P12_CONSTANTS_HPP
 
-#include <cstdint>
+#include "../blocks/glint_int.hpp"
 
 #pragma push_macro("F")
 #undef F
@@ -21,7 +21,7 @@ struct glint_effect_oren_nayar_p12_constants {
     static constexpr int O = 12;  // fraction bits of the output
 };
 
-extern "C" void glint_effect_oren_nayar_p12(std::int32_t nl, std::int32_t nv, std::int32_t lv, std::uint32_t a, std::uint32_t b, std::uint32_t* y, bool* clamped);
+extern "C" void glint_effect_oren_nayar_p12(glint_hls::sint_port<20> nl, glint_hls::sint_port<20> nv, glint_hls::sint_port<20> lv, glint_hls::uint_port<15> a, glint_hls::uint_port<15> b, glint_hls::uint_port<13>* y, bool* clamped);
 
 #pragma pop_macro("F")
 #pragma pop_macro("O")

@@ -11,8 +11,16 @@
 #pragma push_macro("y")
 #undef y
 
+#ifdef GLINT_BAMBU
+#pragma HLS interface mode = none port = y
+#pragma HLS interface mode = none port = clamped
+#endif
 GLINT_PIPELINE_CATAPULT
-extern "C" void glint_effect_oren_nayar_p16(std::int32_t nl, std::int32_t nv, std::int32_t lv, std::uint32_t a, std::uint32_t b, std::uint32_t* y, bool* clamped) {
+extern "C" void glint_effect_oren_nayar_p16(glint_hls::sint_port<22> nl, glint_hls::sint_port<22> nv, glint_hls::sint_port<22> lv, glint_hls::uint_port<19> a, glint_hls::uint_port<19> b, glint_hls::uint_port<17>* y, bool* clamped) {
     GLINT_PIPELINE_VITIS
-    glint_hls::effect_oren_nayar<glint_effect_oren_nayar_p16_constants>(nl, nv, lv, a, b, y, clamped);
+#ifdef GLINT_VITIS
+#pragma HLS INTERFACE ap_none port=y
+#pragma HLS INTERFACE ap_none port=clamped
+#endif
+    glint_hls::effect_oren_nayar<glint_effect_oren_nayar_p16_constants>(static_cast<std::int32_t>(nl), static_cast<std::int32_t>(nv), static_cast<std::int32_t>(lv), static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b), y, clamped);
 }

@@ -3,7 +3,7 @@
 #ifndef GLINT_EFFECT_OREN_NAYAR_P8_CONSTANTS_HPP
 #define GLINT_EFFECT_OREN_NAYAR_P8_CONSTANTS_HPP
 
-#include <cstdint>
+#include "../blocks/glint_int.hpp"
 
 #pragma push_macro("F")
 #undef F
@@ -21,7 +21,7 @@ struct glint_effect_oren_nayar_p8_constants {
     static constexpr int O = 8;  // fraction bits of the output
 };
 
-extern "C" void glint_effect_oren_nayar_p8(std::int32_t nl, std::int32_t nv, std::int32_t lv, std::uint32_t a, std::uint32_t b, std::uint32_t* y, bool* clamped);
+extern "C" void glint_effect_oren_nayar_p8(glint_hls::sint_port<18> nl, glint_hls::sint_port<18> nv, glint_hls::sint_port<18> lv, glint_hls::uint_port<11> a, glint_hls::uint_port<11> b, glint_hls::uint_port<9>* y, bool* clamped);
 
 #pragma pop_macro("F")
 #pragma pop_macro("O")

@@ -3,7 +3,7 @@
 #ifndef GLINT_EFFECT_TINT_P16_CONSTANTS_HPP
 #define GLINT_EFFECT_TINT_P16_CONSTANTS_HPP
 
-#include <cstdint>
+#include "../blocks/glint_int.hpp"
 
 #pragma push_macro("O")
 #undef O
@@ -20,7 +20,7 @@ struct glint_effect_tint_p16_constants {
     static constexpr int O = 16;  // fraction bits of colours and terms
 };
 
-extern "C" void glint_effect_tint_p16(std::uint32_t s, std::uint32_t k_r, std::uint32_t k_g, std::uint32_t k_b, std::uint32_t i_r, std::uint32_t i_g, std::uint32_t i_b, std::uint32_t* r, std::uint32_t* g, std::uint32_t* b, bool* clamped);
+extern "C" void glint_effect_tint_p16(glint_hls::uint_port<24> s, glint_hls::uint_port<17> k_r, glint_hls::uint_port<17> k_g, glint_hls::uint_port<17> k_b, glint_hls::uint_port<20> i_r, glint_hls::uint_port<20> i_g, glint_hls::uint_port<20> i_b, glint_hls::uint_port<24>* r, glint_hls::uint_port<24>* g, glint_hls::uint_port<24>* b, bool* clamped);
 
 #pragma pop_macro("O")
 #pragma pop_macro("b")

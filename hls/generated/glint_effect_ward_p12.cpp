@@ -7,8 +7,16 @@
 #pragma push_macro("y")
 #undef y
 
+#ifdef GLINT_BAMBU
+#pragma HLS interface mode = none port = y
+#pragma HLS interface mode = none port = clamped
+#endif
 GLINT_PIPELINE_CATAPULT
-extern "C" void glint_effect_ward_p12(std::int32_t nl, std::int32_t nv, std::int32_t nh, std::int32_t ht, std::int32_t hb, std::uint32_t kx, std::uint32_t ky, std::int32_t log_peak, std::uint32_t* y, bool* clamped) {
+extern "C" void glint_effect_ward_p12(glint_hls::sint_port<20> nl, glint_hls::sint_port<20> nv, glint_hls::sint_port<20> nh, glint_hls::sint_port<20> ht, glint_hls::sint_port<20> hb, glint_hls::uint_port<19> kx, glint_hls::uint_port<19> ky, glint_hls::sint_port<21> log_peak, glint_hls::uint_port<20>* y, bool* clamped) {
     GLINT_PIPELINE_VITIS
-    glint_hls::effect_ward<glint_effect_ward_p12_constants>(nl, nv, nh, ht, hb, kx, ky, log_peak, y, clamped);
+#ifdef GLINT_VITIS
+#pragma HLS INTERFACE ap_none port=y
+#pragma HLS INTERFACE ap_none port=clamped
+#endif
+    glint_hls::effect_ward<glint_effect_ward_p12_constants>(static_cast<std::int32_t>(nl), static_cast<std::int32_t>(nv), static_cast<std::int32_t>(nh), static_cast<std::int32_t>(ht), static_cast<std::int32_t>(hb), static_cast<std::uint32_t>(kx), static_cast<std::uint32_t>(ky), static_cast<std::int32_t>(log_peak), y, clamped);
 }

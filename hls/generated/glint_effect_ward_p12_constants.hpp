@@ -3,7 +3,7 @@
 #ifndef GLINT_EFFECT_WARD_P12_CONSTANTS_HPP
 #define GLINT_EFFECT_WARD_P12_CONSTANTS_HPP
 
-#include <cstdint>
+#include "../blocks/glint_int.hpp"
 
 #pragma push_macro("E")
 #undef E
@@ -27,48 +27,48 @@ struct glint_effect_ward_p12_constants {
     static constexpr int E = 3;  // address bits of exp2
     static constexpr int S = 16;  // fraction bits of the exponent
     static constexpr int O = 12;  // fraction bits of the output
-    static std::int64_t log2_c0(unsigned index) {
-        static const std::int64_t values[] = {
+    static std::uint32_t log2_c0(unsigned index) {
+        static const std::uint32_t values[] = {
             0, 45856, 89090, 129985, 168783, 205687, 240874, 274497,
             306689, 337566, 367232, 395778, 423286, 449829, 475472, 500274,
         };
         return values[index];
     }
-    static std::int64_t log2_c1(unsigned index) {
-        static const std::int64_t values[] = {
+    static std::uint16_t log2_c1(unsigned index) {
+        static const std::uint16_t values[] = {
             47246, 44469, 42000, 39793, 37804, 36005, 34370, 32877,
             31507, 30248, 29085, 28008, 27009, 26078, 25209, 24395,
         };
         return values[index];
     }
-    static std::int64_t log2_c2(unsigned index) {
-        static const std::int64_t values[] = {
+    static std::int16_t log2_c2(unsigned index) {
+        static const std::int16_t values[] = {
             -1390, -1235, -1105, -995, -900, -818, -747, -685,
             -630, -582, -539, -500, -466, -435, -407, -381,
         };
         return values[index];
     }
-    static std::int64_t exp2_c0(unsigned index) {
-        static const std::int64_t values[] = {
+    static std::uint32_t exp2_c0(unsigned index) {
+        static const std::uint32_t values[] = {
             65536, 60097, 55109, 50535, 46341, 42495, 38968, 35734,
         };
         return values[index];
     }
-    static std::int64_t exp2_c1(unsigned index) {
-        static const std::int64_t values[] = {
+    static std::int16_t exp2_c1(unsigned index) {
+        static const std::int16_t values[] = {
             -22698, -20816, -19088, -17503, -16050, -14719, -13496, -12378,
         };
         return values[index];
     }
-    static std::int64_t exp2_c2(unsigned index) {
-        static const std::int64_t values[] = {
+    static std::uint16_t exp2_c2(unsigned index) {
+        static const std::uint16_t values[] = {
             942, 864, 792, 727, 666, 611, 560, 514,
         };
         return values[index];
     }
 };
 
-extern "C" void glint_effect_ward_p12(std::int32_t nl, std::int32_t nv, std::int32_t nh, std::int32_t ht, std::int32_t hb, std::uint32_t kx, std::uint32_t ky, std::int32_t log_peak, std::uint32_t* y, bool* clamped);
+extern "C" void glint_effect_ward_p12(glint_hls::sint_port<20> nl, glint_hls::sint_port<20> nv, glint_hls::sint_port<20> nh, glint_hls::sint_port<20> ht, glint_hls::sint_port<20> hb, glint_hls::uint_port<19> kx, glint_hls::uint_port<19> ky, glint_hls::sint_port<21> log_peak, glint_hls::uint_port<20>* y, bool* clamped);
 
 #pragma pop_macro("E")
 #pragma pop_macro("F")

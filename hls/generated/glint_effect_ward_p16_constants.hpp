@@ -3,7 +3,7 @@
 #ifndef GLINT_EFFECT_WARD_P16_CONSTANTS_HPP
 #define GLINT_EFFECT_WARD_P16_CONSTANTS_HPP
 
-#include <cstdint>
+#include "../blocks/glint_int.hpp"
 
 #pragma push_macro("E")
 #undef E
@@ -27,8 +27,8 @@ struct glint_effect_ward_p16_constants {
     static constexpr int E = 4;  // address bits of exp2
     static constexpr int S = 20;  // fraction bits of the exponent
     static constexpr int O = 16;  // fraction bits of the output
-    static std::int64_t log2_c0(unsigned index) {
-        static const std::int64_t values[] = {
+    static std::uint32_t log2_c0(unsigned index) {
+        static const std::uint32_t values[] = {
             0, 93101, 183423, 271126, 356359, 439256, 519942, 598532,
             675132, 749841, 822749, 893942, 963498, 1031491, 1097989, 1163057,
             1226755, 1289140, 1350264, 1410178, 1468929, 1526560, 1583114, 1638630,
@@ -36,8 +36,8 @@ struct glint_effect_ward_p16_constants {
         };
         return values[index];
     }
-    static std::int64_t log2_c1(unsigned index) {
-        static const std::int64_t values[] = {
+    static std::uint32_t log2_c1(unsigned index) {
+        static const std::uint32_t values[] = {
             94533, 91670, 88974, 86433, 84033, 81762, 79611, 77570,
             75631, 73786, 72031, 70356, 68757, 67229, 65768, 64369,
             63028, 61741, 60507, 59321, 58180, 57083, 56025, 55007,
@@ -45,8 +45,8 @@ struct glint_effect_ward_p16_constants {
         };
         return values[index];
     }
-    static std::int64_t log2_c2(unsigned index) {
-        static const std::int64_t values[] = {
+    static std::int16_t log2_c2(unsigned index) {
+        static const std::int16_t values[] = {
             -1432, -1348, -1271, -1200, -1136, -1076, -1021, -970,
             -922, -878, -838, -800, -764, -731, -700, -671,
             -643, -617, -593, -570, -549, -529, -509, -491,
@@ -54,22 +54,22 @@ struct glint_effect_ward_p16_constants {
         };
         return values[index];
     }
-    static std::int64_t exp2_c0(unsigned index) {
-        static const std::int64_t values[] = {
+    static std::uint32_t exp2_c0(unsigned index) {
+        static const std::uint32_t values[] = {
             1048576, 1004120, 961548, 920782, 881744, 844361, 808563, 774282,
             741455, 710020, 679917, 651091, 623487, 597053, 571740, 547500,
         };
         return values[index];
     }
-    static std::int64_t exp2_c1(unsigned index) {
-        static const std::int64_t values[] = {
+    static std::int32_t exp2_c1(unsigned index) {
+        static const std::int32_t values[] = {
             -181676, -173976, -166596, -159534, -152771, -146294, -140094, -134152,
             -128464, -123020, -117802, -112808, -108026, -103445, -99060, -94859,
         };
         return values[index];
     }
-    static std::int64_t exp2_c2(unsigned index) {
-        static const std::int64_t values[] = {
+    static std::uint16_t exp2_c2(unsigned index) {
+        static const std::uint16_t values[] = {
             3852, 3688, 3532, 3382, 3239, 3102, 2970, 2844,
             2724, 2608, 2498, 2392, 2290, 2193, 2100, 2011,
         };
@@ -77,7 +77,7 @@ struct glint_effect_ward_p16_constants {
     }
 };
 
-extern "C" void glint_effect_ward_p16(std::int32_t nl, std::int32_t nv, std::int32_t nh, std::int32_t ht, std::int32_t hb, std::uint32_t kx, std::uint32_t ky, std::int32_t log_peak, std::uint32_t* y, bool* clamped);
+extern "C" void glint_effect_ward_p16(glint_hls::sint_port<22> nl, glint_hls::sint_port<22> nv, glint_hls::sint_port<22> nh, glint_hls::sint_port<22> ht, glint_hls::sint_port<22> hb, glint_hls::uint_port<23> kx, glint_hls::uint_port<23> ky, glint_hls::sint_port<25> log_peak, glint_hls::uint_port<24>* y, bool* clamped);
 
 #pragma pop_macro("E")
 #pragma pop_macro("F")

@@ -3,7 +3,7 @@
 #ifndef GLINT_GAUSS_P12_CONSTANTS_HPP
 #define GLINT_GAUSS_P12_CONSTANTS_HPP
 
-#include <cstdint>
+#include "../blocks/glint_int.hpp"
 
 #pragma push_macro("E")
 #undef E
@@ -27,8 +27,8 @@ struct glint_gauss_p12_constants {
     static constexpr int E = 3;  // address bits of exp2
     static constexpr int S = 16;  // fraction bits of t and p
     static constexpr int O = 12;  // fraction bits of the output
-    static std::int64_t angle_c0(unsigned index) {
-        static const std::int64_t values[] = {
+    static std::uint32_t angle_c0(unsigned index) {
+        static const std::uint32_t values[] = {
             0, 1520721, 3057603, 4611066, 6181545, 7769497, 9375396, 10999739,
             12643046, 14305858, 15988743, 17692299, 19417148, 21163946, 22933383, 24726180,
             26543102, 28384950, 30252571, 32146861, 34068764, 36019282, 37999475, 40010469,
@@ -36,8 +36,8 @@ struct glint_gauss_p12_constants {
         };
         return values[index];
     }
-    static std::int64_t angle_c1(unsigned index) {
-        static const std::int64_t values[] = {
+    static std::uint32_t angle_c1(unsigned index) {
+        static const std::uint32_t values[] = {
             1512742, 1528698, 1545065, 1561859, 1579099, 1596803, 1614993, 1633692,
             1652920, 1672702, 1693068, 1714041, 1735654, 1757941, 1780929, 1804663,
             1829177, 1854515, 1880725, 1907851, 1935951, 1965080, 1995301, 2026682,
@@ -45,8 +45,8 @@ struct glint_gauss_p12_constants {
         };
         return values[index];
     }
-    static std::int64_t angle_c2(unsigned index) {
-        static const std::int64_t values[] = {
+    static std::uint16_t angle_c2(unsigned index) {
+        static const std::uint16_t values[] = {
             7979, 8184, 8398, 8620, 8853, 9096, 9350, 9615,
             9892, 10183, 10488, 10808, 11144, 11496, 11868, 12259,
             12671, 13106, 13565, 14052, 14567, 15113, 15693, 16310,
@@ -54,27 +54,27 @@ struct glint_gauss_p12_constants {
         };
         return values[index];
     }
-    static std::int64_t exp2_c0(unsigned index) {
-        static const std::int64_t values[] = {
+    static std::uint32_t exp2_c0(unsigned index) {
+        static const std::uint32_t values[] = {
             65536, 60097, 55109, 50535, 46341, 42495, 38968, 35734,
         };
         return values[index];
     }
-    static std::int64_t exp2_c1(unsigned index) {
-        static const std::int64_t values[] = {
+    static std::int16_t exp2_c1(unsigned index) {
+        static const std::int16_t values[] = {
             -22698, -20816, -19088, -17503, -16050, -14719, -13496, -12378,
         };
         return values[index];
     }
-    static std::int64_t exp2_c2(unsigned index) {
-        static const std::int64_t values[] = {
+    static std::uint16_t exp2_c2(unsigned index) {
+        static const std::uint16_t values[] = {
             942, 864, 792, 727, 666, 611, 560, 514,
         };
         return values[index];
     }
 };
 
-extern "C" std::uint32_t glint_gauss_p12(std::uint16_t n, std::int32_t cos_code);
+extern "C" std::uint32_t glint_gauss_p12(glint_hls::uint<10> n, glint_hls::sint_port<20> cos_code);
 
 #pragma pop_macro("E")
 #pragma pop_macro("F")

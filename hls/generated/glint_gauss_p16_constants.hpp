@@ -3,7 +3,7 @@
 #ifndef GLINT_GAUSS_P16_CONSTANTS_HPP
 #define GLINT_GAUSS_P16_CONSTANTS_HPP
 
-#include <cstdint>
+#include "../blocks/glint_int.hpp"
 
 #pragma push_macro("E")
 #undef E
@@ -27,8 +27,8 @@ struct glint_gauss_p16_constants {
     static constexpr int E = 4;  // address bits of exp2
     static constexpr int S = 20;  // fraction bits of t and p
     static constexpr int O = 16;  // fraction bits of the output
-    static std::int64_t angle_c0(unsigned index) {
-        static const std::int64_t values[] = {
+    static std::uint32_t angle_c0(unsigned index) {
+        static const std::uint32_t values[] = {
             0, 12133851, 24331532, 36593855, 48921648, 61315758, 73777049, 86306403,
             98904721, 111572923, 124311949, 137122760, 150006338, 162963686, 175995831, 189103821,
             202288730, 215551655, 228893721, 242316075, 255819896, 269406387, 283076782, 296832344,
@@ -40,8 +40,8 @@ struct glint_gauss_p16_constants {
         };
         return values[index];
     }
-    static std::int64_t angle_c1(unsigned index) {
-        static const std::int64_t values[] = {
+    static std::uint32_t angle_c1(unsigned index) {
+        static const std::uint32_t values[] = {
             12102137, 12165565, 12229796, 12294848, 12360737, 12427482, 12495099, 12563608,
             12633027, 12703376, 12774675, 12846946, 12920208, 12994487, 13069801, 13146178,
             13223638, 13302211, 13381918, 13462790, 13544850, 13628130, 13712658, 13798465,
@@ -53,8 +53,8 @@ struct glint_gauss_p16_constants {
         };
         return values[index];
     }
-    static std::int64_t angle_c2(unsigned index) {
-        static const std::int64_t values[] = {
+    static std::uint32_t angle_c2(unsigned index) {
+        static const std::uint32_t values[] = {
             31714, 32116, 32527, 32945, 33373, 33809, 34255, 34710,
             35175, 35650, 36136, 36632, 37140, 37658, 38189, 38731,
             39287, 39855, 40436, 41031, 41641, 42265, 42904, 43560,
@@ -66,22 +66,22 @@ struct glint_gauss_p16_constants {
         };
         return values[index];
     }
-    static std::int64_t exp2_c0(unsigned index) {
-        static const std::int64_t values[] = {
+    static std::uint32_t exp2_c0(unsigned index) {
+        static const std::uint32_t values[] = {
             1048576, 1004120, 961548, 920782, 881744, 844361, 808563, 774282,
             741455, 710020, 679917, 651091, 623487, 597053, 571740, 547500,
         };
         return values[index];
     }
-    static std::int64_t exp2_c1(unsigned index) {
-        static const std::int64_t values[] = {
+    static std::int32_t exp2_c1(unsigned index) {
+        static const std::int32_t values[] = {
             -181676, -173976, -166596, -159534, -152771, -146294, -140094, -134152,
             -128464, -123020, -117802, -112808, -108026, -103445, -99060, -94859,
         };
         return values[index];
     }
-    static std::int64_t exp2_c2(unsigned index) {
-        static const std::int64_t values[] = {
+    static std::uint16_t exp2_c2(unsigned index) {
+        static const std::uint16_t values[] = {
             3852, 3688, 3532, 3382, 3239, 3102, 2970, 2844,
             2724, 2608, 2498, 2392, 2290, 2193, 2100, 2011,
         };
@@ -89,7 +89,7 @@ struct glint_gauss_p16_constants {
     }
 };
 
-extern "C" std::uint32_t glint_gauss_p16(std::uint16_t n, std::int32_t cos_code);
+extern "C" std::uint32_t glint_gauss_p16(glint_hls::uint<10> n, glint_hls::sint_port<22> cos_code);
 
 #pragma pop_macro("E")
 #pragma pop_macro("F")

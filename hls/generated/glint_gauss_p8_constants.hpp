@@ -3,7 +3,7 @@
 #ifndef GLINT_GAUSS_P8_CONSTANTS_HPP
 #define GLINT_GAUSS_P8_CONSTANTS_HPP
 
-#include <cstdint>
+#include "../blocks/glint_int.hpp"
 
 #pragma push_macro("E")
 #undef E
@@ -27,48 +27,48 @@ struct glint_gauss_p8_constants {
     static constexpr int E = 2;  // address bits of exp2
     static constexpr int S = 12;  // fraction bits of t and p
     static constexpr int O = 8;  // fraction bits of the output
-    static std::int64_t angle_c0(unsigned index) {
-        static const std::int64_t values[] = {
+    static std::uint32_t angle_c0(unsigned index) {
+        static const std::uint32_t values[] = {
             0, 191100, 386347, 585962, 790190, 999296, 1213572, 1433336,
             1658944, 1890786, 2129298, 2374967, 2628341, 2890038, 3160761, 3441314,
         };
         return values[index];
     }
-    static std::int64_t angle_c1(unsigned index) {
-        static const std::int64_t values[] = {
+    static std::uint32_t angle_c1(unsigned index) {
+        static const std::uint32_t values[] = {
             189080, 193120, 197372, 201858, 206597, 211614, 216934, 222593,
             228620, 235060, 241960, 249374, 257368, 266019, 275419, 285678,
         };
         return values[index];
     }
-    static std::int64_t angle_c2(unsigned index) {
-        static const std::int64_t values[] = {
+    static std::uint16_t angle_c2(unsigned index) {
+        static const std::uint16_t values[] = {
             2020, 2127, 2243, 2370, 2509, 2662, 2830, 3015,
             3222, 3452, 3709, 4000, 4329, 4704, 5134, 5632,
         };
         return values[index];
     }
-    static std::int64_t exp2_c0(unsigned index) {
-        static const std::int64_t values[] = {
+    static std::uint16_t exp2_c0(unsigned index) {
+        static const std::uint16_t values[] = {
             4096, 3444, 2896, 2435,
         };
         return values[index];
     }
-    static std::int64_t exp2_c1(unsigned index) {
-        static const std::int64_t values[] = {
+    static std::int16_t exp2_c1(unsigned index) {
+        static const std::int16_t values[] = {
             -2834, -2382, -2004, -1682,
         };
         return values[index];
     }
-    static std::int64_t exp2_c2(unsigned index) {
-        static const std::int64_t values[] = {
+    static std::uint8_t exp2_c2(unsigned index) {
+        static const std::uint8_t values[] = {
             226, 190, 160, 134,
         };
         return values[index];
     }
 };
 
-extern "C" std::uint32_t glint_gauss_p8(std::uint16_t n, std::int32_t cos_code);
+extern "C" std::uint32_t glint_gauss_p8(glint_hls::uint<10> n, glint_hls::sint_port<18> cos_code);
 
 #pragma pop_macro("E")
 #pragma pop_macro("F")

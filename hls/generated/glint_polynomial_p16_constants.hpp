@@ -3,7 +3,7 @@
 #ifndef GLINT_POLYNOMIAL_P16_CONSTANTS_HPP
 #define GLINT_POLYNOMIAL_P16_CONSTANTS_HPP
 
-#include <cstdint>
+#include "../blocks/glint_int.hpp"
 
 #pragma push_macro("F")
 #undef F
@@ -35,7 +35,7 @@ struct glint_polynomial_p16_constants {
     static constexpr std::int64_t k6 = 0;  // not used
 };
 
-extern "C" std::uint32_t glint_polynomial_p16(std::uint16_t n, std::int32_t cos_code);
+extern "C" std::uint32_t glint_polynomial_p16(glint_hls::uint<10> n, glint_hls::sint_port<22> cos_code);
 
 #pragma pop_macro("F")
 #pragma pop_macro("I")

@@ -3,7 +3,7 @@
 #ifndef GLINT_QUADRATIC_P12_CONSTANTS_HPP
 #define GLINT_QUADRATIC_P12_CONSTANTS_HPP
 
-#include <cstdint>
+#include "../blocks/glint_int.hpp"
 
 #pragma push_macro("F")
 #undef F
@@ -24,7 +24,7 @@ struct glint_quadratic_p12_constants {
     static constexpr std::int64_t slope = 12878;  // 0.786
 };
 
-extern "C" std::uint32_t glint_quadratic_p12(std::uint16_t n, std::int32_t cos_code);
+extern "C" std::uint32_t glint_quadratic_p12(glint_hls::uint<10> n, glint_hls::sint_port<20> cos_code);
 
 #pragma pop_macro("F")
 #pragma pop_macro("K")

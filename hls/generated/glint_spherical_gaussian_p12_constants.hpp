@@ -3,7 +3,7 @@
 #ifndef GLINT_SPHERICAL_GAUSSIAN_P12_CONSTANTS_HPP
 #define GLINT_SPHERICAL_GAUSSIAN_P12_CONSTANTS_HPP
 
-#include <cstdint>
+#include "../blocks/glint_int.hpp"
 
 #pragma push_macro("E")
 #undef E
@@ -30,27 +30,27 @@ struct glint_spherical_gaussian_p12_constants {
     static constexpr int O = 12;  // fraction bits of the output
     static constexpr std::int64_t a = 11819;  // log2 e
     static constexpr std::int64_t b = 9159;  // 0.775 log2 e
-    static std::int64_t exp2_c0(unsigned index) {
-        static const std::int64_t values[] = {
+    static std::uint32_t exp2_c0(unsigned index) {
+        static const std::uint32_t values[] = {
             65536, 60097, 55109, 50535, 46341, 42495, 38968, 35734,
         };
         return values[index];
     }
-    static std::int64_t exp2_c1(unsigned index) {
-        static const std::int64_t values[] = {
+    static std::int16_t exp2_c1(unsigned index) {
+        static const std::int16_t values[] = {
             -22698, -20816, -19088, -17503, -16050, -14719, -13496, -12378,
         };
         return values[index];
     }
-    static std::int64_t exp2_c2(unsigned index) {
-        static const std::int64_t values[] = {
+    static std::uint16_t exp2_c2(unsigned index) {
+        static const std::uint16_t values[] = {
             942, 864, 792, 727, 666, 611, 560, 514,
         };
         return values[index];
     }
 };
 
-extern "C" std::uint32_t glint_spherical_gaussian_p12(std::uint16_t n, std::int32_t cos_code);
+extern "C" std::uint32_t glint_spherical_gaussian_p12(glint_hls::uint<10> n, glint_hls::sint_port<20> cos_code);
 
 #pragma pop_macro("E")
 #pragma pop_macro("F")

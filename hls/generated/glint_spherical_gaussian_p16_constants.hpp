@@ -3,7 +3,7 @@
 #ifndef GLINT_SPHERICAL_GAUSSIAN_P16_CONSTANTS_HPP
 #define GLINT_SPHERICAL_GAUSSIAN_P16_CONSTANTS_HPP
 
-#include <cstdint>
+#include "../blocks/glint_int.hpp"
 
 #pragma push_macro("E")
 #undef E
@@ -30,22 +30,22 @@ struct glint_spherical_gaussian_p16_constants {
     static constexpr int O = 16;  // fraction bits of the output
     static constexpr std::int64_t a = 189097;  // log2 e
     static constexpr std::int64_t b = 146550;  // 0.775 log2 e
-    static std::int64_t exp2_c0(unsigned index) {
-        static const std::int64_t values[] = {
+    static std::uint32_t exp2_c0(unsigned index) {
+        static const std::uint32_t values[] = {
             1048576, 1004120, 961548, 920782, 881744, 844361, 808563, 774282,
             741455, 710020, 679917, 651091, 623487, 597053, 571740, 547500,
         };
         return values[index];
     }
-    static std::int64_t exp2_c1(unsigned index) {
-        static const std::int64_t values[] = {
+    static std::int32_t exp2_c1(unsigned index) {
+        static const std::int32_t values[] = {
             -181676, -173976, -166596, -159534, -152771, -146294, -140094, -134152,
             -128464, -123020, -117802, -112808, -108026, -103445, -99060, -94859,
         };
         return values[index];
     }
-    static std::int64_t exp2_c2(unsigned index) {
-        static const std::int64_t values[] = {
+    static std::uint16_t exp2_c2(unsigned index) {
+        static const std::uint16_t values[] = {
             3852, 3688, 3532, 3382, 3239, 3102, 2970, 2844,
             2724, 2608, 2498, 2392, 2290, 2193, 2100, 2011,
         };
@@ -53,7 +53,7 @@ struct glint_spherical_gaussian_p16_constants {
     }
 };
 
-extern "C" std::uint32_t glint_spherical_gaussian_p16(std::uint16_t n, std::int32_t cos_code);
+extern "C" std::uint32_t glint_spherical_gaussian_p16(glint_hls::uint<10> n, glint_hls::sint_port<22> cos_code);
 
 #pragma pop_macro("E")
 #pragma pop_macro("F")

@@ -3,7 +3,7 @@
 #ifndef GLINT_SPHERICAL_GAUSSIAN_P8_CONSTANTS_HPP
 #define GLINT_SPHERICAL_GAUSSIAN_P8_CONSTANTS_HPP
 
-#include <cstdint>
+#include "../blocks/glint_int.hpp"
 
 #pragma push_macro("E")
 #undef E
@@ -30,27 +30,27 @@ struct glint_spherical_gaussian_p8_constants {
     static constexpr int O = 8;  // fraction bits of the output
     static constexpr std::int64_t a = 739;  // log2 e
     static constexpr std::int64_t b = 572;  // 0.775 log2 e
-    static std::int64_t exp2_c0(unsigned index) {
-        static const std::int64_t values[] = {
+    static std::uint16_t exp2_c0(unsigned index) {
+        static const std::uint16_t values[] = {
             4096, 3444, 2896, 2435,
         };
         return values[index];
     }
-    static std::int64_t exp2_c1(unsigned index) {
-        static const std::int64_t values[] = {
+    static std::int16_t exp2_c1(unsigned index) {
+        static const std::int16_t values[] = {
             -2834, -2382, -2004, -1682,
         };
         return values[index];
     }
-    static std::int64_t exp2_c2(unsigned index) {
-        static const std::int64_t values[] = {
+    static std::uint8_t exp2_c2(unsigned index) {
+        static const std::uint8_t values[] = {
             226, 190, 160, 134,
         };
         return values[index];
     }
 };
 
-extern "C" std::uint32_t glint_spherical_gaussian_p8(std::uint16_t n, std::int32_t cos_code);
+extern "C" std::uint32_t glint_spherical_gaussian_p8(glint_hls::uint<10> n, glint_hls::sint_port<18> cos_code);
 
 #pragma pop_macro("E")
 #pragma pop_macro("F")

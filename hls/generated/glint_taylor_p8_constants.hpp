@@ -3,7 +3,7 @@
 #ifndef GLINT_TAYLOR_P8_CONSTANTS_HPP
 #define GLINT_TAYLOR_P8_CONSTANTS_HPP
 
-#include <cstdint>
+#include "../blocks/glint_int.hpp"
 
 #pragma push_macro("A")
 #undef A
@@ -26,7 +26,7 @@ struct glint_taylor_p8_constants {
     static constexpr int O = 8;  // fraction bits of the output
 };
 
-extern "C" std::uint32_t glint_taylor_p8(std::uint16_t n, std::int32_t cos_code);
+extern "C" std::uint32_t glint_taylor_p8(glint_hls::uint<10> n, glint_hls::sint_port<18> cos_code);
 
 #pragma pop_macro("A")
 #pragma pop_macro("E")

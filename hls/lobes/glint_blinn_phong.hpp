@@ -17,7 +17,7 @@ std::uint32_t blinn_phong(uint<10> n, sint<Constants::F + 2> cos_code) {
     const Corrected<F> in = correct<F>(n, cos_code);
     const uint<L + 5> u = log2<Constants>(in.C);
     // At most 1023 * 31 * 2^L, also with the half that rounds it: 15 integer bits.
-    const uint<L + 15> scaled = to_uint<L + 15>(to_uint<L + 15>(in.n) * to_uint<L + 15>(u));
+    const uint<L + 15> scaled = product_u<L + 15>(in.n, u);
     const uint<S + 15> t = to_uint<S + 15>(rnd<L - S>(scaled));
     return word<F, Constants::O>(in, exp2<Constants, S + 15>(t));
 }

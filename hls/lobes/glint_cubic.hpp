@@ -20,10 +20,11 @@ std::uint32_t cubic(uint<10> n, sint<Constants::F + 2> cos_code) {
     static_assert(K >= O && K <= 30, "K: O to 30");
 
     const Corrected<F> in = correct<F>(n, cos_code);
-    const uint<F + 1> cut = to_uint<F + 1>(Constants::row_cut(in.n));
-    const sint<K + 1> g1 = to_sint<K + 1>(Constants::row_g1(in.n));
-    const sint<K> g2 = to_sint<K>(Constants::row_g2(in.n));
-    const sint<K - 3> g3 = to_sint<K - 3>(Constants::row_g3(in.n));
+    const auto row = static_cast<unsigned>(in.n);
+    const uint<F + 1> cut = to_uint<F + 1>(Constants::row_cut(row));
+    const sint<K + 1> g1 = to_sint<K + 1>(Constants::row_g1(row));
+    const sint<K> g2 = to_sint<K>(Constants::row_g2(row));
+    const sint<K - 3> g3 = to_sint<K - 3>(Constants::row_g3(row));
 
     // Where X < cut, n X <= 3 2^F: T is at most 3 2^S. Ranges of h2 and h1: the document's table.
     constexpr int SUM_W = K + S + 3;

@@ -24,7 +24,7 @@ Normalised<KEPT_W, REST_W> normalise(uint<WIDTH> x) {
         GLINT_UNROLL_VITIS
         const int places = 1 << j;
         const bool keep = (top >> (WIDTH - places)) != 0;
-        const uint<WIDTH> low = to_uint<WIDTH>(FILL ? (uint<WIDTH + 1>{1} << places) - 1 : 0);
+        const uint<WIDTH> low = FILL ? to_uint<WIDTH>((uint<WIDTH + 1>{1} << places) - 1) : to_uint<WIDTH>(0);
         const uint<WIDTH> moved = to_uint<WIDTH>(to_uint<WIDTH>(top << places) | low);
         top = keep ? top : moved;
         kept = to_uint<KEPT_W>((kept << 1) | to_uint<KEPT_W>(keep));

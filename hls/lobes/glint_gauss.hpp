@@ -28,7 +28,7 @@ std::uint32_t gauss(uint<10> n, sint<Constants::F + 2> cos_code) {
                                                             to_sint<C2_W>(Constants::angle_c2(index)), r);
 
     // At most 1023 * 1.78 * 2^L, also with the half that rounds it: 11 integer bits.
-    const uint<L + 11> scaled = to_uint<L + 11>(to_uint<L + 11>(in.n) * to_uint<L + 11>(v));
+    const uint<L + 11> scaled = product_u<L + 11>(in.n, v);
     const uint<S + 11> t = to_uint<S + 11>(rnd<L - S>(scaled));
     return word<F, Constants::O>(in, exp2<Constants, S + 11>(t));
 }

@@ -24,8 +24,8 @@ std::uint32_t quadratic(uint<10> n, sint<Constants::F + 2> cos_code) {
 
     // slope < 2^K and n < 2^10: K + 10 bits; times d <= 2^F: below 2^(F+K+10).
     constexpr int P_W = F + K + 10;
-    const uint<K + 10> scaled = to_uint<K + 10>(to_uint<K + 10>(Constants::slope) * to_uint<K + 10>(in.n));
-    const uint<P_W> product_d = to_uint<P_W>(to_uint<P_W>(scaled) * to_uint<P_W>(in.distance));
+    const uint<K + 10> scaled = product_u<K + 10>(to_uint<K>(Constants::slope), in.n);
+    const uint<P_W> product_d = product_u<P_W>(scaled, in.distance);
 
     // line = max(0, 2^(F+K) - scaled d), between -2^(F+K+10) and 2^(F+K), with the half that rounds it below 2^(F+K+1):
     // one bit more for the sign. Rounded before it is cut: rnd is monotone and keeps 0.
@@ -36,7 +36,7 @@ std::uint32_t quadratic(uint<10> n, sint<Constants::F + 2> cos_code) {
 
     // C w <= 2^(F+S); with the half that rounds it still fits F + S + 1 bits.
     constexpr int Y_W = F + S + 1;
-    const uint<Y_W> product_y = to_uint<Y_W>(to_uint<Y_W>(in.C) * to_uint<Y_W>(w));
+    const uint<Y_W> product_y = product_u<Y_W>(in.C, w);
     return word<F, O>(in, to_uint<O + 1>(rnd<F + S - O>(product_y)));
 }
 

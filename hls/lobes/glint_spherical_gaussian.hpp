@@ -19,8 +19,8 @@ std::uint32_t spherical_gaussian(uint<10> n, sint<Constants::F + 2> cos_code) {
     const Corrected<F> in = correct<F>(n, cos_code);
     const uint<K + 1> a = to_uint<K + 1>(Constants::a);
     const uint<K + 1> b = to_uint<K + 1>(Constants::b);
-    const uint<K + 11> g = to_uint<K + 11>(to_uint<K + 11>(to_uint<K + 11>(in.n) * to_uint<K + 11>(a)) + b);
-    const uint<W> scaled = to_uint<W>(to_uint<W>(g) * to_uint<W>(in.distance));
+    const uint<K + 11> g = to_uint<K + 11>(product_u<K + 11>(in.n, a) + b);
+    const uint<W> scaled = product_u<W>(g, in.distance);
     const uint<S + 11> t = to_uint<S + 11>(rnd<K + F - S>(scaled));
     return word<F, Constants::O>(in, exp2<Constants, S + 11>(t));
 }

@@ -96,7 +96,9 @@ void add_files(std::vector<HardwareUnit::File>& files, const std::vector<Hardwar
 }
 
 std::span<const Family> families() {
-    static const std::array<Family, 2> all{{{"ecp5", "MULT18X18D"}, {"up5k", "SB_MAC16"}}};
+    static const std::array<Family, 2> all{
+        {{"ecp5", {"glint_multiplier", "glint_divider_restoring"}, {"MULT18X18D", "CCU2C"}},
+         {"up5k", {"glint_multiplier"}, {"SB_MAC16"}}}};
     return all;
 }
 
@@ -105,16 +107,24 @@ void use_family(HardwareUnit& unit, std::string_view family) {
     if (of_family == families().end()) return;
     std::vector<HardwareUnit::File> files;
     for (const HardwareUnit::File& file : unit.files) {
-        if (file.name != "blocks/glint_multiplier.v") {
+        const auto name =
+            std::find_if(of_family->modules.begin(), of_family->modules.end(),
+                         [&](std::string_view module) { return file.name == fmt::format("blocks/{}.v", module); });
+        if (name == of_family->modules.end()) {
             add_files(files, {file});
             continue;
         }
-        add_files(files, files_of("glint_multiplier_sliced"));
-        for (const std::string_view module : {"glint_multiplier_block", "glint_multiplier"})
-            add_files(files, {{fmt::format("blocks/{}/{}.v", family, module)}});
+        if (*name == "glint_multiplier") {
+            add_files(files, files_of("glint_multiplier_sliced"));
+            add_files(files, {{fmt::format("blocks/{}/glint_multiplier_block.v", family)}});
+        }
+        if (*name == "glint_divider_restoring") add_files(files, {{fmt::format("blocks/{}/glint_add_sub.v", family)}});
+        add_files(files, {{fmt::format("blocks/{}/{}.v", family, *name)}});
     }
     unit.files = std::move(files);
-    unit.simulation = {{fmt::format("simulation/{}.v", of_family->primitive)}};
+    unit.simulation = {};
+    for (const std::string_view primitive : of_family->primitives)
+        unit.simulation.push_back({fmt::format("simulation/{}.v", primitive)});
 }
 
 std::vector<HardwareUnit::Port> stream_ports(const std::vector<HardwareUnit::Port>& inputs,

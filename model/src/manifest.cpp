@@ -111,17 +111,22 @@ std::string modules(std::span<const HardwareUnit> units, const FileRoots& roots)
         "{\n  ", "}", ",\n  ");
 }
 
-/// By family: the files that a list has in the place of blocks/glint_multiplier.v, and the models for a simulator.
+/// By family: for each module that it has of its own the files of it and of all that it contains, and the models for a
+/// simulator.
 std::string families_of(const FileRoots& roots) {
+    const auto file = [&](const HardwareUnit::File& f) { return quoted(path(f, roots)); };
     return list(
         families(),
         [&](const Family& family) {
+            std::string members;
             HardwareUnit unit;
-            unit.files = files_of("glint_multiplier");
-            use_family(unit, family.name);
-            const auto file = [&](const HardwareUnit::File& f) { return quoted(path(f, roots)); };
-            return fmt::format(R"({}: {{"glint_multiplier": {}, "simulation": {}}})", quoted(family.name),
-                               list(unit.files, file, "[", "]", ", "), list(unit.simulation, file, "[", "]", ", "));
+            for (const std::string_view name : family.modules) {
+                unit.files = files_of(name);
+                use_family(unit, family.name);
+                members += fmt::format("{}: {}, ", quoted(name), list(unit.files, file, "[", "]", ", "));
+            }
+            return fmt::format(R"({}: {{{}"simulation": {}}})", quoted(family.name), members,
+                               list(unit.simulation, file, "[", "]", ", "));
         },
         "{\n  ", "}", ",\n  ");
 }

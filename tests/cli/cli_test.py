@@ -395,13 +395,28 @@ class Emit(Case):
                 self.true(path.is_file(), f"{unit['name']}: no {file}")
             self.true(f"$(GLINT_EMITTED)/{unit['name']}.v" in self.read(f"out/{unit['name']}.f").splitlines(), unit["name"])
 
+    def test_packages(self):
+        """A core and a VHDL package for each unit of the manifest, Bender.yml as the manifest; beside a wrapper, too."""
+        self.good("emit", "--packages", "-o", "rtl")
+        names = self.files()
+        for unit in json.loads((ROOT / "rtl/units.json").read_text())["units"]:
+            for name in (f"rtl/{unit['name']}.core", f"rtl/generated/{unit['name']}_pkg.vhd"):
+                self.true(name in names, f"no {name}")
+        bender = [line.removeprefix("  - ") for line in self.read("rtl/Bender.yml").splitlines() if line.startswith("  - ")]
+        units = json.loads((ROOT / "rtl/units.json").read_text())["units"]
+        self.equal(sorted(bender), sorted({file for unit in units for file in unit["files"]}))
+        self.true(all((ROOT / "rtl" / name).is_file() for name in bender), "Bender.yml names a file that is not there")
+        self.good("emit", "--lobe", "bps", "--profile", "18,14,14,12", "--target", "verilog", "-o", "out")
+        self.true({"out/glint_bps_18_14_14_12.core", "out/glint_bps_18_14_14_12_pkg.vhd"} <= set(self.files()), "beside a wrapper")
+
     def test_list(self):
         text = self.good("emit", "--lobe", "bps", "--profile", "p8,p12,p16", "-o", "out")
         self.equal(sorted(text.splitlines()), self.files())
-        self.equal(len(self.files()), 15 + 6 + 1)
+        self.equal(len(self.files()), 15 + 3 * 6 + 1)
 
     def test_targets(self):
-        every = {"verilog": ["glint_bps_axis_p12.f", "glint_bps_axis_p12.v", "glint_bps_p12.f", "glint_bps_p12.v", "units.json"], "hls": ["glint_bps_p12.cpp", "glint_bps_p12_constants.hpp"],
+        every = {"verilog": [*(f"glint_bps_{name}{end}" for name in ("axis_p12", "p12") for end in (".core", ".f", ".v", "_pkg.vhd")), "units.json"],
+                 "hls": ["glint_bps_p12.cpp", "glint_bps_p12_constants.hpp"],
                  "proof": ["glint_bps_p12.g"]}
         self.good("emit", "--target", "all", "-o", "all")
         self.equal(self.files(), sorted(f"all/{name}" for names in every.values() for name in names))
@@ -419,7 +434,8 @@ class Emit(Case):
             bound = rf"\d\.\d+ ulp, measured over all {inputs} inputs" if inputs else r"not shown \(.*\)"
             self.matches(text, rf"\nbps {profile}: rounding error {bound}\n\Z")
             names = (f"{name}.v", f"axis_{name}.v", f"{name}_constants.hpp", f"{name}.cpp", f"{name}.g")
-            lists = ["units.json", f"glint_bps_{name}.f", f"glint_bps_axis_{name}.f"]
+            lists = ["units.json", f"glint_bps_{name}.f", f"glint_bps_axis_{name}.f",
+                     *(f"glint_bps_{unit}{name}{end}" for unit in ("", "axis_") for end in (".core", "_pkg.vhd"))]
             self.equal(text.splitlines()[:-1], [f"out/{file}" for file in [f"glint_bps_{ending}" for ending in names] + lists])
             F, _, _, O = map(int, profile.split(","))
             wrapper = self.read(f"out/glint_bps_{name}.v")

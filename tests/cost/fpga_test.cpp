@@ -22,12 +22,13 @@ namespace {
 const std::filesystem::path rtl = std::filesystem::path(GLINT_SOURCE_DIR) / "rtl";
 
 /// What a unit takes of a device, with the harness taken off.
-Resources priced(Flow& flow, const Unit& unit, const Device& device, bool dsp = true) {
+Resources priced(Flow& flow, const Unit& unit, const Device& device, Products products = Products::dsps) {
     std::vector<Source> sources;
     sources.push_back({unit.module + ".v", read_file(rtl / "blocks" / (unit.module + ".v"))});
     sources.push_back({"glint_harness.v", harness(unit)});
-    const Resources whole = Flow::Netlist(flow, sources, device, dsp).resources();
-    const Resources alone = Flow::Netlist(flow, {{"glint_harness.v", harness_alone(unit)}}, device, dsp).resources();
+    const Resources whole = Flow::Netlist(flow, sources, device, products).resources();
+    const Resources alone =
+        Flow::Netlist(flow, {{"glint_harness.v", harness_alone(unit)}}, device, products).resources();
     return {whole.luts - alone.luts, whole.registers - alone.registers, whole.carries - alone.carries,
             whole.dsps - alone.dsps, whole.brams - alone.brams};
 }
@@ -90,10 +91,11 @@ TEST_CASE("harness: the critical path of a unit with logic is the unit's, that o
     const std::vector<Source> sources{{"glint_multiplier.v", read_file(rtl / "blocks/glint_multiplier.v")},
                                       {"glint_square.v", read_file(rtl / "blocks/glint_square.v")},
                                       {"glint_harness.v", harness(unit)}};
-    const Routing whole = Flow::Netlist(flow, sources, device, false).route(1);
+    const Routing whole = Flow::Netlist(flow, sources, device, Products::gates).route(1);
     CHECK(whole.fits);
     CHECK_FALSE(whole.harness_limits);
-    const Routing alone = Flow::Netlist(flow, {{"glint_harness.v", harness_alone(unit)}}, device, false).route(1);
+    const Routing alone =
+        Flow::Netlist(flow, {{"glint_harness.v", harness_alone(unit)}}, device, Products::gates).route(1);
     CHECK(alone.fits);
     CHECK(alone.harness_limits);
     CHECK(alone.clock_mhz > whole.clock_mhz);
@@ -106,7 +108,7 @@ TEST_CASE("a unit larger than its device does not fit, and it says what is too l
     const Unit unit = delay(300, 18);
     const std::vector<Source> sources{{"glint_delay.v", read_file(rtl / "blocks/glint_delay.v")},
                                       {"glint_harness.v", harness(unit)}};
-    const Routing found = Flow::Netlist(flow, sources, find_device("up5k"), false).route(1);
+    const Routing found = Flow::Netlist(flow, sources, find_device("up5k"), Products::gates).route(1);
     CHECK_FALSE(found.fits);
     CHECK(found.why.find("of 5280 ICESTORM_LC") != std::string::npos);
 }
@@ -124,7 +126,7 @@ TEST_CASE("DSPs without registers have no clock of their own, and a line says wh
     assign y_o = second ^ {x_i[15:0], x_i[47:32]};
 endmodule
 )"};
-    Flow::Netlist netlist(flow, {source, {"glint_harness.v", harness(unit)}}, find_device("up5k"), true);
+    Flow::Netlist netlist(flow, {source, {"glint_harness.v", harness(unit)}}, find_device("up5k"), Products::dsps);
     CHECK(netlist.resources().dsps == 2);
     const Routing found = netlist.route(1);
     CHECK(found.routed);
@@ -163,7 +165,7 @@ TEST_CASE("the files of a unit are those of its description") {
 }
 
 TEST_CASE("a cell without a price is refused") {
-    const Family& ice40 = *find_device("hx8k").family;
+    const fpga::Family& ice40 = *find_device("hx8k").family;
     const Resources some = count_resources(ice40, {{"SB_LUT4", 3}, {"SB_DFFESR", 2}, {"SB_DFF", 5}, {"SB_CARRY", 1}});
     CHECK(some.luts == 3);
     CHECK(some.registers == 7);

@@ -10,11 +10,10 @@
 #include <atomic>
 #include <mutex>
 #include <string_view>
-#include <tuple>
-#include <type_traits>
 #include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "glint/effect.hpp"
 #include "glint/error.hpp"
@@ -23,56 +22,28 @@
 #include "glint/parallel.hpp"
 #include "glint/vectors.hpp"
 
-#include "hls_headers.inc"  // declares the top functions
-
 namespace {
 
 using Columns = std::vector<std::vector<std::int32_t>>;
 
-/// What a top function takes its arguments from and writes to.
-struct Pins {
-    const Columns& in;
-    std::size_t i;
-    std::vector<std::uint32_t>& out;
-    bool clamped = false;
-    std::size_t inputs = 0, outputs = 0;
-
-    template <class Argument>
-    Argument next() {
-        if constexpr (std::is_same_v<Argument, bool*>) {
-            return &clamped;
-        } else if constexpr (std::is_pointer_v<Argument>) {
-            return &out.at(outputs++);
-        } else {
-            return static_cast<Argument>(in.at(inputs++)[i]);
-        }
-    }
-};
-
-template <class Result, class... Arguments>
-void call(Result (*top)(Arguments...), Pins& pins) {
-    const std::tuple<Arguments...> arguments{pins.next<Arguments>()...};  // braces: from left to right
-    if constexpr (std::is_void_v<Result>) {
-        std::apply(top, arguments);
-    } else {  // of a lobe: y, and clamped in bit 31
-        const glint::PortResult result = glint::unpack(std::apply(top, arguments));
-        pins.out.at(pins.outputs++) = result.y;
-        pins.clamped = result.clamped;
-    }
-}
-
 struct Kernel {
     std::string_view unit;
     std::string_view profile;
-    void (*run)(Pins&);
+    void (*run)(const std::int32_t* in, std::int32_t* out);  ///< tests/hls/flat.hpp
 };
 
 // hls_kernels.inc: one GLINT_KERNEL(top, unit, profile) for every kernel that the object files hold.
+#define GLINT_KERNEL(top, unit, profile) extern "C" void top##_flat(const std::int32_t*, std::int32_t*);
+#include "hls_kernels.inc"
+#undef GLINT_KERNEL
 const Kernel kernels[] = {
-#define GLINT_KERNEL(top, unit, profile) {unit, profile, [](Pins& pins) { call(top, pins); }},
+#define GLINT_KERNEL(top, unit, profile) {unit, profile, top##_flat},
 #include "hls_kernels.inc"
 #undef GLINT_KERNEL
 };
+
+constexpr std::string_view effect_prefix = "effect_";
+bool is_effect(const Kernel& kernel) { return kernel.unit.starts_with(effect_prefix); }
 
 class Comparison {
 public:
@@ -88,14 +59,18 @@ public:
         for (const auto& column : in) inputs.push_back(column.data());
         for (auto& column : want) outputs.push_back(column.data());
         model_.eval_port_batch(inputs, outputs, clamped);
-        std::vector<std::uint32_t> out(want.size());
+        std::vector<std::int32_t> row(in.size());
+        std::vector<std::int32_t> out(want.size() + 1);  // the last one: clamped
         for (std::size_t i = 0; i < count; ++i) {
-            Pins pins{in, i, out};
-            kernel_.run(pins);
-            bool same = pins.inputs == in.size() && pins.outputs == out.size() && pins.clamped == (clamped[i] != 0);
-            for (std::size_t p = 0; p < out.size(); ++p)
-                same = same && out[p] == static_cast<std::uint32_t>(want[p][i]);
-            if (!same) show(pins, want, clamped[i] != 0);
+            for (std::size_t p = 0; p < row.size(); ++p) row[p] = in[p][i];
+            kernel_.run(row.data(), out.data());
+            if (!is_effect(kernel_)) {  // clamped is bit 31 of the result
+                const glint::PortResult result = glint::unpack(static_cast<std::uint32_t>(out[0]));
+                out = {static_cast<std::int32_t>(result.y), result.clamped};
+            }
+            bool same = out.back() == clamped[i];
+            for (std::size_t p = 0; p < want.size(); ++p) same = same && out[p] == want[p][i];
+            if (!same) show(row, out, want, i, clamped[i] != 0);
         }
         inputs_ += count;
     }
@@ -104,17 +79,14 @@ public:
     std::uint64_t mismatches() const { return mismatches_; }
 
 private:
-    void show(const Pins& pins, const Columns& want, bool clamped) {
+    void show(const std::vector<std::int32_t>& in, const std::vector<std::int32_t>& out, const Columns& want,
+              std::size_t i, bool clamped) {
         const std::lock_guard lock(mutex_);
         if (++mismatches_ > 10) return;
-        for (std::size_t p = 0; p < pins.in.size(); ++p) {
-            fmt::print("{} {} ", model_.inputs()[p].name, pins.in[p][pins.i]);
-        }
-        fmt::print(": kernel");
-        for (const std::uint32_t code : pins.out) fmt::print(" {}", code);
-        fmt::print(" clamped {}, golden", pins.clamped);
-        for (const auto& column : want) fmt::print(" {}", column[pins.i]);
-        fmt::print(" clamped {}\n", clamped);
+        for (std::size_t p = 0; p < in.size(); ++p) fmt::print("{} {} ", model_.inputs()[p].name, in[p]);
+        fmt::print(": kernel, clamped last, {}; golden", fmt::join(out, " "));
+        for (const auto& column : want) fmt::print(" {}", column[i]);
+        fmt::print(" {:d}\n", clamped);
     }
 
     const Kernel& kernel_;
@@ -225,13 +197,12 @@ std::uint64_t compare_ports(const glint::Effect& effect, const glint::EffectMode
 }
 
 int check(const Kernel& kernel, std::string_view mode) {
-    constexpr std::string_view prefix = "effect_";
     const glint::Profile profile = glint::parse_profile(kernel.profile);
     std::unique_ptr<glint::GoldenModel> lobe;
     std::unique_ptr<glint::EffectModel> model;
     const glint::Effect* effect = nullptr;
     if (mode == "ports") {
-        effect = &glint::find_effect(kernel.unit.substr(prefix.size()));
+        effect = &glint::find_effect(kernel.unit.substr(effect_prefix.size()));
         model = effect->golden(profile, "bps");
     } else {
         lobe = glint::find_lobe(kernel.unit).golden(profile);

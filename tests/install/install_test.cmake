@@ -14,3 +14,13 @@ execute_process(COMMAND ${CMAKE_COMMAND} -E echo "50 256901" COMMAND ${WORK}/pre
 if(NOT consumer STREQUAL "1448\n" OR NOT tool STREQUAL "1448\n")
   message(FATAL_ERROR "the consumer says '${consumer}', the installed glint '${tool}', not 1448")
 endif()
+# The Verilog, where the page of tools says that it is, and in the tools that are here.
+foreach(file LICENSE rtl/units.json rtl/Bender.yml rtl/glint_bps_p12.core rtl/generated/glint_bps_p12_pkg.vhd cost/data/fpga.json
+    docs/contract.md bench/replay/replay.py bench/replay/replay_tb.v)
+  if(NOT EXISTS ${WORK}/prefix/share/glint/${file})
+    message(FATAL_ERROR "the installation has no share/glint/${file}")
+  endif()
+endforeach()
+if(PYTHON)
+  execute_process(COMMAND ${PYTHON} ${CMAKE_CURRENT_LIST_DIR}/packages_test.py ${WORK}/prefix COMMAND_ERROR_IS_FATAL ANY)
+endif()

@@ -74,7 +74,7 @@ def run(executable_folder, files, width):
 def check(family, products, yosys):
     listed = read()["families"][family]
     files = [RTL / name for name in listed["glint_multiplier"]]
-    (model,) = [RTL / name for name in listed["simulation"]]
+    model = RTL / listed["simulation"][0]
     total = 0
     with tempfile.TemporaryDirectory() as folder:
         for index, (a, b) in enumerate(WIDTHS):

@@ -171,13 +171,17 @@ def lint(tool, folders):
         for values in sets:
             silent(command(tool, top, files[top], dict(zip(names.split(), values))))
             modules += 1
-    # The multipliers of families; Yosys knows their primitives by its own libraries.
-    for family, listed_files in units.read()["families"].items():
-        family_files = [RTL / name for name in listed_files["simulation"] + listed_files["glint_multiplier"]]
-        listed.update(family_files)
-        for a, b, signed, stages in ((1, 1, 0, 1), (18, 16, 1, 2), (31, 40, 1, 3), (28, 17, 0, 4)):
-            silent(command(tool, "glint_multiplier", family_files, {"A_W": a, "B_W": b, "SIGNED": signed, "STAGES": stages}))
-            modules += 1
+    # The modules of families; Yosys has models of their primitives in its own libraries.
+    for family in units.read()["families"].values():
+        models = [RTL / name for name in family["simulation"]]
+        for top, names, sets in (("glint_multiplier", "A_W B_W SIGNED STAGES",
+                                  ((1, 1, 0, 1), (18, 16, 1, 2), (31, 40, 1, 3), (28, 17, 0, 4))),
+                                 ("glint_divider_restoring", "X_W Y_W Q_W REGISTER_EVERY", ((3, 1, 2, 1), (34, 28, 16, 3)))):
+            family_files = [RTL / name for name in family.get(top, [])]
+            listed.update(models + family_files)
+            for values in sets if family_files else ():
+                silent(command(tool, top, models + family_files, dict(zip(names.split(), values))))
+                modules += 1
     # shade with some of its effects; Verilator and Yosys want the number sized.
     shade = units.units()["glint_effect_shade_bps_p12"]
     everything = next(int(p["default"]) for p in shade["parameters"] if p["name"] == "MASK")

@@ -7,7 +7,8 @@ import tempfile
 from pathlib import Path
 
 import icarus
-from units import modules
+from icarus import RTL
+from units import modules, read
 
 HERE = Path(__file__).parent
 RANDOM_DIVISIONS = 10000
@@ -171,6 +172,26 @@ HUNTED = {"restoring": (6, 13), "radix4": (6, 13), "iterative": (6, 13), "recipr
           "sqrt": (3, 5), "delay": (3,), "skid": (1,)}
 
 
+def of_family(family, files):
+    """The same files, with those that a family has in their place, and the models of its primitives."""
+    own = read()["families"][family]
+    taken = {name: paths for name, paths in own.items() if name != "simulation"}
+    kept = [file for file in files if file.stem not in taken]
+    return list(dict.fromkeys([RTL / name for paths in own.values() for name in paths] + kept))
+
+
+def check_family_divider(folder):
+    """glint_divider_restoring of ecp5, by the contract of that for any device."""
+    total = 0
+    files = [*of_family("ecp5", modules()["glint_divider"]), HERE / "divider_tb.v"]
+    for parameters, expected in (divider(10, 5, 5), divider(9, 7, 3), divider(12, 6, 6, rows=4), divider(9, 8, 3),
+                                 *(divider(*widths, RANDOM_DIVISIONS) for widths in LARGE)):
+        icarus.build(Path(folder) / "bench", "divider_tb", files, parameters)
+        icarus.require(icarus.run(Path(folder) / "bench"), "divisions", expected)
+        total += expected
+    print(f"glint_divider_restoring of ecp5: {total} divisions, 0 mismatches")
+
+
 def simulate(folder, rtl, unit, parameters):
     executable = Path(folder) / "bench"
     bench, top = UNITS[unit][0], "glint_divider" if "DIVISIONS" in parameters else UNITS[unit][1]
@@ -208,6 +229,8 @@ def main():
                 if unit not in UNITS:
                     raise icarus.Failed(f"unit '{unit}' is not legal: {', '.join(UNITS)}")
                 check(unit, folder)
+                if unit == "restoring":
+                    check_family_divider(folder)
     except icarus.Failed as failed:
         print(f"FAILED: {failed}", file=sys.stderr)
         return 1

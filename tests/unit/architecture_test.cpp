@@ -79,8 +79,8 @@ TEST_CASE("a unit for a family has its multiplier in the place of that of any de
             CHECK(has("blocks/glint_multiplier.v") == 0);
             CHECK(has(folder + "glint_multiplier.v") == 1);
             CHECK(has(folder + "glint_multiplier_block.v") == 1);
-            CHECK(file.unit->simulation ==
-                  std::vector<HardwareUnit::File>{{fmt::format("simulation/{}.v", family.primitive)}});
+            REQUIRE(file.unit->simulation.size() == family.primitives.size());
+            CHECK(file.unit->simulation.front().name == fmt::format("simulation/{}.v", family.primitives.front()));
         }
     }
 }

@@ -66,10 +66,11 @@ inline constexpr FileRoots committed_list{"$(GLINT_RTL)/", "$(GLINT_RTL)/generat
 inline constexpr FileRoots emitted_paths{"$(GLINT_RTL)/", ""};  ///< of a units.json beside generated files
 inline constexpr FileRoots emitted_list{"$(GLINT_RTL)/", "$(GLINT_EMITTED)/"};
 
-/// Devices for which rtl/blocks/NAME has modules that take the place of those of any device: same ports, parameters,
-/// bits and clocks, of the primitive that rtl/simulation/ has a model of.
+/// Devices for which rtl/blocks/NAME has files in the place of those of rtl/blocks: modules of the same ports,
+/// parameters, bits and clocks, made of primitives that rtl/simulation/ has models of.
 struct Family {
-    std::string_view name, primitive;
+    std::string_view name;
+    std::vector<std::string_view> modules, primitives;
 };
 std::span<const Family> families();
 

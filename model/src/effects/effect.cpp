@@ -81,14 +81,20 @@ Kernel kernel(const EffectModel& model) {
                "void",
                "",
                ""};
-    const auto add = [&](std::string_view type, std::string_view argument) {
+    const auto add = [&](std::string_view type, std::string_view argument, std::string_view passed) {
         const char* separator = out.arguments.empty() ? "" : ", ";
         out.arguments += fmt::format("{}{} {}", separator, type, argument);
-        out.passed += fmt::format("{}{}", separator, argument);
+        out.passed += fmt::format("{}{}", separator, passed);
     };
-    for (const EffectPort& port : model.inputs()) add(port.is_signed ? "std::int32_t" : "std::uint32_t", port.name);
-    for (const EffectPort& port : model.outputs()) add("std::uint32_t*", port.name);
-    add("bool*", "clamped");
+    for (const EffectPort& port : model.inputs()) {
+        const char* sign = port.is_signed ? "" : "u";
+        add(fmt::format("glint_hls::{}int_port<{}>", port.is_signed ? "s" : "u", port.bits), port.name,
+            fmt::format("static_cast<std::{}int32_t>({})", sign, port.name));
+    }
+    for (const EffectPort& port : model.outputs()) {
+        add(fmt::format("glint_hls::uint_port<{}>*", port.bits), port.name, port.name);
+    }
+    add("bool*", "clamped", "clamped");
     return out;
 }
 

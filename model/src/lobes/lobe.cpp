@@ -321,6 +321,22 @@ std::pair<std::string, std::string> shield(const std::string& texts) {
     return out;
 }
 
+/// The narrowest <cstdint> type that holds a column of a table.
+std::string narrowest(const Table& table, std::size_t field) {
+    std::int64_t low = 0;
+    std::int64_t high = 0;
+    for (const auto& row : table.rows) {
+        low = std::min(low, row[field]);
+        high = std::max(high, row[field]);
+    }
+    int bits = 8;
+    while (bits < 64 &&
+           (low < 0 ? low < -(std::int64_t{1} << (bits - 1)) || high >> (bits - 1) != 0 : high >> bits != 0)) {
+        bits *= 2;
+    }
+    return fmt::format("std::{}int{}_t", low < 0 ? "" : "u", bits);
+}
+
 }  // namespace
 
 GeneratedFile constants_header(const Kernel& kernel, const Profile& profile, const std::vector<Constant>& constants,
@@ -336,9 +352,9 @@ GeneratedFile constants_header(const Kernel& kernel, const Profile& profile, con
     }
     for (const Table& table : tables) {
         for (std::size_t k = 0; k < table.fields.size(); ++k) {
-            members += fmt::format(
-                "    static std::int64_t {}_{}(unsigned index) {{\n        static const std::int64_t values[] = {{\n",
-                table.name, table.fields[k].name);
+            members +=
+                fmt::format("    static {0} {1}_{2}(unsigned index) {{\n        static const {0} values[] = {{\n",
+                            narrowest(table, k), table.name, table.fields[k].name);
             for (std::size_t i = 0; i < table.rows.size(); ++i) {
                 const bool ends = i % 8 == 7 || i + 1 == table.rows.size();
                 members +=
@@ -354,7 +370,7 @@ GeneratedFile constants_header(const Kernel& kernel, const Profile& profile, con
 #ifndef {2}
 #define {2}
 
-#include <cstdint>
+#include "../blocks/glint_int.hpp"
 
 {9}
 struct {0} {{
@@ -452,8 +468,23 @@ Kernel kernel(std::string_view lobe, const Profile& profile) {
             fmt::format("--lobe {}{}", lobe, options(profile)),
             fmt::format("docs/lobes/{}.md", lobe),
             "std::uint32_t",
-            "std::uint16_t n, std::int32_t cos_code",
+            fmt::format("glint_hls::uint<10> n, glint_hls::sint_port<{}> cos_code", profile.F + 2),
             fmt::format("glint_hls::to_uint<10>(n), glint_hls::to_sint<{}>(cos_code)", profile.F + 2)};
+}
+
+}  // namespace
+
+namespace {
+
+/// A pragma for every pointer of the top function: an output without handshake. Not by a macro: Bambu takes none there.
+std::string port_pragmas(const Kernel& kernel, std::string_view tool, std::string_view pragma) {
+    std::string out;
+    for (std::size_t at = kernel.arguments.find("* "); at != std::string::npos;
+         at = kernel.arguments.find("* ", at + 1)) {
+        const std::size_t end = std::min(kernel.arguments.find(',', at), kernel.arguments.size());
+        out += fmt::format("{}{}\n", pragma, kernel.arguments.substr(at + 2, end - at - 2));
+    }
+    return out.empty() ? out : fmt::format("#ifdef {}\n{}#endif\n", tool, out);
 }
 
 }  // namespace
@@ -468,15 +499,17 @@ GeneratedFile top_function(const Kernel& kernel, const Profile& profile) {
 #include "{0}_constants.hpp"
 
 {10}
-GLINT_PIPELINE_CATAPULT
+{11}GLINT_PIPELINE_CATAPULT
 extern "C" {6} {0}({7}) {{
     GLINT_PIPELINE_VITIS
-    {8}glint_hls::{1}<{0}_constants>({9});
+{12}    {8}glint_hls::{1}<{0}_constants>({9});
 }}
 )",
                         name, kernel.kernel, profile.argument(), kernel.command, kernel.document, kernel.folder,
                         kernel.result, kernel.arguments, kernel.result == "void" ? "" : "return ", kernel.passed,
-                        shield(kernel.arguments + ' ' + kernel.passed).first)};
+                        shield(kernel.arguments + ' ' + kernel.passed).first,
+                        port_pragmas(kernel, "GLINT_BAMBU", "#pragma HLS interface mode = none port = "),
+                        port_pragmas(kernel, "GLINT_VITIS", "#pragma HLS INTERFACE ap_none port="))};
 }
 
 int in_range(std::string_view lobe, std::string_view what, int value, int low, int high) {
