@@ -3,7 +3,7 @@
 #ifndef GLINT_DECAY_P12_CONSTANTS_HPP
 #define GLINT_DECAY_P12_CONSTANTS_HPP
 
-#include <cstdint>
+#include "../blocks/glint_int.hpp"
 
 #pragma push_macro("A")
 #undef A
@@ -17,6 +17,8 @@
 #undef H
 #pragma push_macro("M")
 #undef M
+#pragma push_macro("N")
+#undef N
 #pragma push_macro("O")
 #undef O
 #pragma push_macro("V")
@@ -37,8 +39,8 @@ struct glint_decay_p12_constants {
     static constexpr int N = 1;  // 1: lambda has an entry for each n; 0: for what follows its leading one
     static constexpr int O = 12;  // fraction bits of the output
     static constexpr int E = 5;  // bits of e
-    static std::int64_t logarithm_base(unsigned index) {
-        static const std::int64_t values[] = {
+    static std::uint16_t logarithm_base(unsigned index) {
+        static const std::uint16_t values[] = {
             0, 0, 0, 0, 0, 0, 0, 0,
             0, 0, 0, 0, 0, 0, 0, 0,
             0, 0, 0, 0, 0, 0, 0, 0,
@@ -106,8 +108,8 @@ struct glint_decay_p12_constants {
         };
         return values[index];
     }
-    static std::int64_t logarithm_slope(unsigned index) {
-        static const std::int64_t values[] = {
+    static std::uint16_t logarithm_slope(unsigned index) {
+        static const std::uint16_t values[] = {
             0, 0, 0, 0, 0, 0, 0, 0,
             0, 0, 0, 0, 0, 0, 0, 0,
             0, 0, 0, 0, 0, 0, 0, 0,
@@ -175,8 +177,8 @@ struct glint_decay_p12_constants {
         };
         return values[index];
     }
-    static std::int64_t exponent_octave(unsigned index) {
-        static const std::int64_t values[] = {
+    static std::uint8_t exponent_octave(unsigned index) {
+        static const std::uint8_t values[] = {
             6, 6, 7, 7, 8, 8, 8, 8,
             9, 9, 9, 9, 9, 9, 9, 9,
             10, 10, 10, 10, 10, 10, 10, 10,
@@ -308,8 +310,8 @@ struct glint_decay_p12_constants {
         };
         return values[index];
     }
-    static std::int64_t exponent_lambda(unsigned index) {
-        static const std::int64_t values[] = {
+    static std::uint16_t exponent_lambda(unsigned index) {
+        static const std::uint16_t values[] = {
             0, 0, 0, 2396, 0, 1318, 2396, 3306,
             0, 696, 1318, 1881, 2396, 2869, 3306, 3714,
             0, 358, 696, 1015, 1318, 1606, 1881, 2144,
@@ -441,8 +443,8 @@ struct glint_decay_p12_constants {
         };
         return values[index];
     }
-    static std::int64_t fall_base(unsigned index) {
-        static const std::int64_t values[] = {
+    static std::uint16_t fall_base(unsigned index) {
+        static const std::uint16_t values[] = {
             254, 265, 277, 289, 302, 315, 329, 343,
             358, 374, 390, 407, 425, 443, 463, 483,
             504, 526, 549, 573, 598, 624, 651, 679,
@@ -478,8 +480,8 @@ struct glint_decay_p12_constants {
         };
         return values[index];
     }
-    static std::int64_t fall_slope(unsigned index) {
-        static const std::int64_t values[] = {
+    static std::uint16_t fall_slope(unsigned index) {
+        static const std::uint16_t values[] = {
             11, 12, 12, 13, 13, 14, 14, 15,
             16, 16, 17, 18, 18, 20, 20, 21,
             22, 23, 24, 25, 26, 27, 28, 29,
@@ -517,7 +519,7 @@ struct glint_decay_p12_constants {
     }
 };
 
-extern "C" std::uint32_t glint_decay_p12(std::uint16_t n, std::int32_t cos_code);
+extern "C" std::uint32_t glint_decay_p12(glint_hls::uint<10> n, glint_hls::sint_port<20> cos_code);
 
 #pragma pop_macro("A")
 #pragma pop_macro("E")
@@ -525,6 +527,7 @@ extern "C" std::uint32_t glint_decay_p12(std::uint16_t n, std::int32_t cos_code)
 #pragma pop_macro("G")
 #pragma pop_macro("H")
 #pragma pop_macro("M")
+#pragma pop_macro("N")
 #pragma pop_macro("O")
 #pragma pop_macro("V")
 #pragma pop_macro("W")

@@ -3,7 +3,7 @@
 #ifndef GLINT_DECAY_P16_CONSTANTS_HPP
 #define GLINT_DECAY_P16_CONSTANTS_HPP
 
-#include <cstdint>
+#include "../blocks/glint_int.hpp"
 
 #pragma push_macro("A")
 #undef A
@@ -17,6 +17,8 @@
 #undef H
 #pragma push_macro("M")
 #undef M
+#pragma push_macro("N")
+#undef N
 #pragma push_macro("O")
 #undef O
 #pragma push_macro("V")
@@ -37,8 +39,8 @@ struct glint_decay_p16_constants {
     static constexpr int N = 1;  // 1: lambda has an entry for each n; 0: for what follows its leading one
     static constexpr int O = 16;  // fraction bits of the output
     static constexpr int E = 5;  // bits of e
-    static std::int64_t logarithm_base(unsigned index) {
-        static const std::int64_t values[] = {
+    static std::uint32_t logarithm_base(unsigned index) {
+        static const std::uint32_t values[] = {
             0, 0, 0, 0, 0, 0, 0, 0,
             0, 0, 0, 0, 0, 0, 0, 0,
             0, 0, 0, 0, 0, 0, 0, 0,
@@ -298,8 +300,8 @@ struct glint_decay_p16_constants {
         };
         return values[index];
     }
-    static std::int64_t logarithm_slope(unsigned index) {
-        static const std::int64_t values[] = {
+    static std::uint16_t logarithm_slope(unsigned index) {
+        static const std::uint16_t values[] = {
             0, 0, 0, 0, 0, 0, 0, 0,
             0, 0, 0, 0, 0, 0, 0, 0,
             0, 0, 0, 0, 0, 0, 0, 0,
@@ -559,8 +561,8 @@ struct glint_decay_p16_constants {
         };
         return values[index];
     }
-    static std::int64_t exponent_octave(unsigned index) {
-        static const std::int64_t values[] = {
+    static std::uint8_t exponent_octave(unsigned index) {
+        static const std::uint8_t values[] = {
             6, 6, 7, 7, 8, 8, 8, 8,
             9, 9, 9, 9, 9, 9, 9, 9,
             10, 10, 10, 10, 10, 10, 10, 10,
@@ -692,8 +694,8 @@ struct glint_decay_p16_constants {
         };
         return values[index];
     }
-    static std::int64_t exponent_lambda(unsigned index) {
-        static const std::int64_t values[] = {
+    static std::uint16_t exponent_lambda(unsigned index) {
+        static const std::uint16_t values[] = {
             0, 0, 0, 38336, 0, 21097, 38336, 52910,
             0, 11136, 21097, 30109, 38336, 45904, 52910, 59433,
             0, 5731, 11136, 16248, 21097, 25710, 30109, 34312,
@@ -825,8 +827,8 @@ struct glint_decay_p16_constants {
         };
         return values[index];
     }
-    static std::int64_t fall_base(unsigned index) {
-        static const std::int64_t values[] = {
+    static std::uint32_t fall_base(unsigned index) {
+        static const std::uint32_t values[] = {
             4064, 4108, 4152, 4197, 4243, 4288, 4335, 4382,
             4429, 4477, 4525, 4574, 4623, 4673, 4724, 4775,
             4826, 4878, 4931, 4984, 5038, 5092, 5147, 5202,
@@ -1086,8 +1088,8 @@ struct glint_decay_p16_constants {
         };
         return values[index];
     }
-    static std::int64_t fall_slope(unsigned index) {
-        static const std::int64_t values[] = {
+    static std::uint16_t fall_slope(unsigned index) {
+        static const std::uint16_t values[] = {
             44, 44, 45, 46, 45, 47, 47, 47,
             48, 48, 49, 49, 50, 51, 51, 51,
             52, 53, 53, 54, 54, 55, 55, 56,
@@ -1349,7 +1351,7 @@ struct glint_decay_p16_constants {
     }
 };
 
-extern "C" std::uint32_t glint_decay_p16(std::uint16_t n, std::int32_t cos_code);
+extern "C" std::uint32_t glint_decay_p16(glint_hls::uint<10> n, glint_hls::sint_port<22> cos_code);
 
 #pragma pop_macro("A")
 #pragma pop_macro("E")
@@ -1357,6 +1359,7 @@ extern "C" std::uint32_t glint_decay_p16(std::uint16_t n, std::int32_t cos_code)
 #pragma pop_macro("G")
 #pragma pop_macro("H")
 #pragma pop_macro("M")
+#pragma pop_macro("N")
 #pragma pop_macro("O")
 #pragma pop_macro("V")
 #pragma pop_macro("W")

@@ -8,7 +8,7 @@
 #undef n
 
 GLINT_PIPELINE_CATAPULT
-extern "C" std::uint32_t glint_decay_p8(std::uint16_t n, std::int32_t cos_code) {
+extern "C" std::uint32_t glint_decay_p8(glint_hls::uint<10> n, glint_hls::sint_port<18> cos_code) {
     GLINT_PIPELINE_VITIS
     return glint_hls::decay<glint_decay_p8_constants>(glint_hls::to_uint<10>(n), glint_hls::to_sint<18>(cos_code));
 }

@@ -3,7 +3,7 @@
 #ifndef GLINT_DECAY_P8_CONSTANTS_HPP
 #define GLINT_DECAY_P8_CONSTANTS_HPP
 
-#include <cstdint>
+#include "../blocks/glint_int.hpp"
 
 #pragma push_macro("A")
 #undef A
@@ -17,6 +17,8 @@
 #undef H
 #pragma push_macro("M")
 #undef M
+#pragma push_macro("N")
+#undef N
 #pragma push_macro("O")
 #undef O
 #pragma push_macro("V")
@@ -37,8 +39,8 @@ struct glint_decay_p8_constants {
     static constexpr int N = 1;  // 1: lambda has an entry for each n; 0: for what follows its leading one
     static constexpr int O = 8;  // fraction bits of the output
     static constexpr int E = 4;  // bits of e
-    static std::int64_t logarithm_base(unsigned index) {
-        static const std::int64_t values[] = {
+    static std::uint16_t logarithm_base(unsigned index) {
+        static const std::uint16_t values[] = {
             1, 23, 45, 64, 83, 101, 119, 135,
             151, 166, 180, 194, 208, 221, 233, 245,
             1, 23, 45, 64, 83, 101, 119, 135,
@@ -74,8 +76,8 @@ struct glint_decay_p8_constants {
         };
         return values[index];
     }
-    static std::int64_t logarithm_slope(unsigned index) {
-        static const std::int64_t values[] = {
+    static std::uint8_t logarithm_slope(unsigned index) {
+        static const std::uint8_t values[] = {
             22, 22, 19, 19, 18, 18, 16, 16,
             15, 14, 14, 14, 13, 12, 12, 12,
             22, 22, 19, 19, 18, 18, 16, 16,
@@ -111,8 +113,8 @@ struct glint_decay_p8_constants {
         };
         return values[index];
     }
-    static std::int64_t exponent_octave(unsigned index) {
-        static const std::int64_t values[] = {
+    static std::uint8_t exponent_octave(unsigned index) {
+        static const std::uint8_t values[] = {
             6, 6, 7, 7, 8, 8, 8, 8,
             9, 9, 9, 9, 9, 9, 9, 9,
             10, 10, 10, 10, 10, 10, 10, 10,
@@ -244,8 +246,8 @@ struct glint_decay_p8_constants {
         };
         return values[index];
     }
-    static std::int64_t exponent_lambda(unsigned index) {
-        static const std::int64_t values[] = {
+    static std::uint8_t exponent_lambda(unsigned index) {
+        static const std::uint8_t values[] = {
             0, 0, 0, 149, 0, 82, 149, 206,
             0, 43, 82, 117, 149, 179, 206, 232,
             0, 22, 43, 63, 82, 100, 117, 134,
@@ -377,8 +379,8 @@ struct glint_decay_p8_constants {
         };
         return values[index];
     }
-    static std::int64_t fall_base(unsigned index) {
-        static const std::int64_t values[] = {
+    static std::uint16_t fall_base(unsigned index) {
+        static const std::uint16_t values[] = {
             16, 17, 17, 18, 19, 20, 21, 21,
             22, 23, 24, 25, 27, 28, 29, 30,
             32, 33, 34, 36, 37, 39, 41, 42,
@@ -414,8 +416,8 @@ struct glint_decay_p8_constants {
         };
         return values[index];
     }
-    static std::int64_t fall_slope(unsigned index) {
-        static const std::int64_t values[] = {
+    static std::uint8_t fall_slope(unsigned index) {
+        static const std::uint8_t values[] = {
             1, 0, 1, 1, 1, 1, 0, 1,
             1, 1, 1, 2, 1, 1, 1, 2,
             1, 1, 2, 1, 2, 2, 1, 2,
@@ -453,7 +455,7 @@ struct glint_decay_p8_constants {
     }
 };
 
-extern "C" std::uint32_t glint_decay_p8(std::uint16_t n, std::int32_t cos_code);
+extern "C" std::uint32_t glint_decay_p8(glint_hls::uint<10> n, glint_hls::sint_port<18> cos_code);
 
 #pragma pop_macro("A")
 #pragma pop_macro("E")
@@ -461,6 +463,7 @@ extern "C" std::uint32_t glint_decay_p8(std::uint16_t n, std::int32_t cos_code);
 #pragma pop_macro("G")
 #pragma pop_macro("H")
 #pragma pop_macro("M")
+#pragma pop_macro("N")
 #pragma pop_macro("O")
 #pragma pop_macro("V")
 #pragma pop_macro("W")
