@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "cost/fpga/device.hpp"
 #include "glint/error.hpp"
 #include "io/json_node.hpp"
 
@@ -130,6 +131,10 @@ std::vector<std::string> priced_devices(const Prices& data) {
         const std::string& device = point.configuration.device;
         if (std::find(out.begin(), out.end(), device) == out.end()) out.push_back(device);
     }
+    const auto place = [](const std::string& name) {
+        return std::ranges::find(fpga::devices(), name, &fpga::Device::name) - fpga::devices().begin();
+    };
+    std::ranges::stable_sort(out, {}, place);
     return out;
 }
 

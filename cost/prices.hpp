@@ -44,7 +44,7 @@ struct Scope {
 std::vector<Configuration> join(const Prices& data, const Scope& scope, const std::string& device,
                                 std::vector<std::string>* unknown = nullptr);
 
-/// The devices that there are prices for, in the order of the file.
+/// The devices that there are prices for, in the order of fpga::devices().
 std::vector<std::string> priced_devices(const Prices& data);
 
 /// The name of a device that there are prices for: itself, or the first of a family, such as ecp5-25k for ecp5. Throws
