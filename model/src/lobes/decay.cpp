@@ -219,9 +219,10 @@ std::vector<HardCase> decay_hard_cases(const GoldenModel& model) {
     std::vector<HardCase> cases = common_hard_cases(model);
     const int one = model.profile().one();
     cases.push_back({"n = 2, c = 1 ulp", 2, 1, "the last piece of the first octave, whose slope is the one before's"});
-    cases.push_back({"n = 3, c = 1/2", 3, one / 2, "the end of an octave: d - 1 still has the bits of the one below"});
-    cases.push_back({"n = 3, c = 1/2 - 1 ulp", 3, one / 2 - 1, "the begin of an octave"});
-    cases.push_back({"n = 1023, c = 1 - 2 ulp", 1023, one - 2, "d - 1 = 1, the last octave that has a leading one"});
+    cases.push_back(
+        {"n = 3, end of an octave", 3, one / 2, "the end of an octave: d - 1 still has the bits of the one below"});
+    cases.push_back({"n = 3, begin of an octave", 3, one / 2 - 1, "the begin of an octave"});
+    cases.push_back({"n = 1023, last octave", 1023, one - 2, "d - 1 = 1, the last octave that has a leading one"});
     cases.push_back({"n = 1023, c = 1 - 3 ulp", 1023, one - 3, "one bit of m"});
     for (const int n : {2, 50, 1023}) {
         const int rises = first_code(model, n, "y");
