@@ -1,4 +1,5 @@
-// `glint cost --grid`: the word lengths of a lobe that keep the rounding error below the lobe's bound, and what they cost.
+// `glint cost --grid`: the word lengths of a lobe that keep the rounding error below the lobe's bound, and what they
+// cost.
 #pragma once
 
 #include <string>

@@ -24,8 +24,9 @@ struct GuardBits {
 };
 
 struct GuardSearch {
-    /// Profiles with a rounding error below the lobe's bound (1 ulp for most) at every legal input, the fewest bits first. None of them has a guard
-    /// bit to spare: with one less the error reaches the bound, or the profile is not legal or not among those tried.
+    /// Profiles with a rounding error below the lobe's bound (1 ulp for most) at every legal input, the fewest bits
+    /// first. None of them has a guard bit to spare: with one less the error reaches the bound, or the profile is not
+    /// legal or not among those tried.
     std::vector<Profile> least;
     int tried = 0;     ///< formats that were measured
     int measured = 0;  ///< of them, over every legal input: all that are returned; the others failed on a sample

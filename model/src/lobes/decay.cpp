@@ -56,7 +56,7 @@ struct DecayFormat {
         const Piece& a = logarithm[static_cast<std::size_t>((s.octave << A) + (s.m >> R))];
         s.w = a.base + ((a.slope * (s.m & ((1 << R) - 1))) >> R);
 
-        const int k = std::bit_width(static_cast<unsigned>(n)) - 1;
+        const int k = static_cast<int>(std::bit_width(static_cast<unsigned>(n))) - 1;
         const std::int64_t lambda = exponent[static_cast<std::size_t>((n << (9 - k)) - 512)];
         s.x = s.w + lambda + ((s.octave + k + 6) << V);
 
@@ -141,7 +141,7 @@ DecayFormat decay_format(const Profile& profile) {
     DecayFormat f{x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], 0, {}, {}, {}};
     in_range(lobe, "F", f.F, 9, 30);
     in_range(lobe, "O", f.O, 4, std::min(28, f.F));
-    f.E = std::bit_width(static_cast<unsigned>(f.F - 1));
+    f.E = static_cast<int>(std::bit_width(static_cast<unsigned>(f.F - 1)));
     in_range(lobe, "A", f.A, 1, 7);
     in_range(lobe, "M", f.M, f.A + 1, f.F - 1);
     in_range(lobe, "G", f.G, 0, 4);
@@ -180,7 +180,7 @@ std::vector<GeneratedFile> emit_decay(const Profile& profile, const Architecture
     Table exponent{"exponent", {{"lambda", f.V}}, {}, fmt::format("log2_n_{}_{}", f.exponent.size() << f.N, f.V), true};
     if (f.N != 0) exponent.fields.insert(exponent.fields.begin(), {"octave", 4});
     for (int n = f.N != 0 ? 0 : 512; n < 1024; ++n) {
-        const int k = std::bit_width(static_cast<unsigned>(n | 1)) - 1;
+        const int k = static_cast<int>(std::bit_width(static_cast<unsigned>(n | 1))) - 1;
         const std::int64_t lambda = f.exponent[static_cast<std::size_t>(((n | (n == 0)) << (9 - k)) - 512)];
         exponent.rows.push_back(f.N != 0 ? std::vector<std::int64_t>{k + 6, lambda}
                                          : std::vector<std::int64_t>{lambda});
