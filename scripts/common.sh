@@ -48,6 +48,7 @@ install_missing() {
     if [ "$1" = test ]; then
         need catch2 file_there '/usr/include/catch2/catch*.hpp'
         need libclang-rt-dev file_there '/usr/lib/llvm-*/lib/clang/*/lib/linux/libclang_rt.asan-*.a'
+        need make command_there make
         need valgrind command_there valgrind
         need libbenchmark-dev file_there '/usr/include/benchmark/benchmark.h'
         need iverilog command_there iverilog
