@@ -1,7 +1,8 @@
 /* The golden models from C: lobes and effects at a profile, bit for bit (docs/c-api.md).
  *
  * A model is immutable: threads may share it. Functions that can fail return NULL or -1; glint_error then says in one line
- * which argument, its value, and what is legal. What is passed as NULL where an object is wanted fails so, too.
+ * which argument, its value, and what is legal. What is passed as NULL where an object is wanted fails so, too;
+ * NULL has 0 ports.
  */
 #ifndef GLINT_H
 #define GLINT_H

@@ -34,7 +34,7 @@ BENCH = """module bench;
     wire [8:0] y;
     highlight h (.clk(clk), .rst_n(rst_n), .valid(1'b1), .n(10'd50), .cosine(18'd64225), .y(y), .done(done));
     always #1 clk = ~clk;
-    initial begin #9 rst_n = 1; #200 $display("y %0d done %b", y, done); $finish; end
+    initial begin #9 rst_n = 1; #200 $display("y %0d done %b", y, done); $finish(0); end
 endmodule
 """
 
