@@ -28,9 +28,9 @@
 
 #include "glint_names_begin.hpp"  // after all others
 
-// The pragmas of one tool, which is known by what it defines: Bambu __BAMBU__, Vitis HLS __SYNTHESIS__. Catapult defines
-// __SYNTHESIS__, too; its script adds GLINT_CATAPULT. Bambu must not see the others': its front end dies of `#pragma HLS
-// UNROLL` in a loop and of `#pragma HLS PIPELINE` from a macro.
+// The pragmas of one tool, which is known by what it defines: Bambu __BAMBU__, Vitis HLS __SYNTHESIS__. Catapult
+// defines __SYNTHESIS__, too; its script adds GLINT_CATAPULT. Bambu must not see the others': its front end dies of
+// `#pragma HLS UNROLL` in a loop and of `#pragma HLS PIPELINE` from a macro.
 #if defined(__BAMBU__)
 #define GLINT_BAMBU
 #elif defined(__SYNTHESIS__) && !defined(GLINT_CATAPULT)
