@@ -49,6 +49,7 @@ install_missing() {
         need catch2 file_there '/usr/include/catch2/catch*.hpp'
         need libclang-rt-dev file_there '/usr/lib/llvm-*/lib/clang/*/lib/linux/libclang_rt.asan-*.a'
         need make command_there make
+        need parallel command_there parallel
         need valgrind command_there valgrind
         need libbenchmark-dev file_there '/usr/include/benchmark/benchmark.h'
         need iverilog command_there iverilog

@@ -227,8 +227,8 @@ EffectRun test_effect(const Effect& effect, const EffectModel& model, const Unit
     run.inputs = log.inputs;
     run.mismatches = log.mismatches;
     run.cycles = log.cycles;
-    run.latency_cycles = log.most_latency;
-    run.results_per_cycle = log.results_per_cycle();
+    run.latency_cycles = log.timing.most_latency;
+    run.results_per_cycle = log.timing.results_per_cycle();
     for (const auto& [burst, error] : errors.largest) {
         if (!(error.ulp <= run.error.ulp)) run.error = error;
     }

@@ -24,6 +24,7 @@ from case import BITS, Case, OPTIONS, PROFILES, ROOT
 from arguments_test import Arguments, Stdin  # noqa: F401, chosen by name
 from choose_test import Choose, Cost, Prices  # noqa: F401, chosen by name
 from report_test import Report, Study  # noqa: F401, chosen by name
+from shards_test import Shards  # noqa: F401, chosen by name
 
 
 class Variants(Case):
