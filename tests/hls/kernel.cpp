@@ -43,7 +43,6 @@ const Kernel kernels[] = {
 };
 
 constexpr std::string_view effect_prefix = "effect_";
-bool is_effect(const Kernel& kernel) { return kernel.unit.starts_with(effect_prefix); }
 
 class Comparison {
 public:
