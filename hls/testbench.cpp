@@ -23,14 +23,16 @@
 #ifndef GLINT_TOP
 #define GLINT_TOP glint_bps_p12
 #endif
+// clang-format off
 #define GLINT_PROTOTYPE_OF(top) top##_constants.hpp
 #define GLINT_PROTOTYPE(top) GLINT_PROTOTYPE_OF(top)
 #define GLINT_TOPS(X) X(GLINT_TOP)
-#if __has_include(GLINT_TEXT(generated / GLINT_PROTOTYPE(GLINT_TOP)))
-#include GLINT_TEXT(generated / GLINT_PROTOTYPE(GLINT_TOP))
+#if __has_include(GLINT_TEXT(generated/GLINT_PROTOTYPE(GLINT_TOP)))
+#include GLINT_TEXT(generated/GLINT_PROTOTYPE(GLINT_TOP))
 #else
 #include GLINT_TEXT(GLINT_PROTOTYPE(GLINT_TOP))
 #endif
+// clang-format on
 #endif
 
 #ifdef GLINT_CATAPULT  // SCVerify puts the RTL in place of the function that CCS_DESIGN names
