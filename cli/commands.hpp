@@ -16,6 +16,7 @@ struct Chosen {
 
 void add_eval(CLI::App& app, Chosen& chosen);
 void add_sweep(CLI::App& app, Chosen& chosen);
+void add_merge(CLI::App& app, Chosen& chosen);
 void add_vectors(CLI::App& app, Chosen& chosen);
 void add_emit(CLI::App& app, Chosen& chosen);
 void add_fit(CLI::App& app, Chosen& chosen);

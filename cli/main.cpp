@@ -9,6 +9,7 @@ int main(int argc, char** argv) {
     chosen.command = glint::io::command_line(argc, argv);
     glint::cli::add_eval(app, chosen);
     glint::cli::add_sweep(app, chosen);
+    glint::cli::add_merge(app, chosen);
     glint::cli::add_vectors(app, chosen);
     glint::cli::add_emit(app, chosen);
     add_fit(app, chosen);

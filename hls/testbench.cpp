@@ -2,9 +2,10 @@
 //
 //   glint-hls-tb [TOP [FILE]]      e.g. glint-hls-tb glint_bps_p8 vectors/glint_bps_p8.tv
 //
-// FILE, by default TOP.tv, holds lines "n cos_code y clamped" in decimal (`glint vectors --format tv`). Exit status: 0
-// all results equal, 1 a mismatch or no vectors, 2 bad arguments, a file that cannot be read or a malformed line. HLS
-// tools compile this file with -DGLINT_TOP=<top>, which leaves that one function to call and makes it the default.
+// FILE, by default TOP.tv, holds a line a vector: the inputs, the outputs and `clamped` in decimal (`glint vectors
+// --format tv`). Exit status: 0 all results equal, 1 a mismatch or no vectors, 2 bad arguments, a file that cannot be
+// read or a malformed line. HLS tools compile this file with -DGLINT_TOP=<top>, which leaves that one function to call
+// and makes it the default; its prototype is in generated/<top>_constants.hpp, or in the include path.
 #include <cerrno>
 #include <cinttypes>
 #include <cstdint>
@@ -14,10 +15,24 @@
 #include <fstream>
 #include <string>
 
-#ifdef GLINT_TOP
+#include "flat.hpp"
+
+#define GLINT_TEXT_OF(x) #x
+#define GLINT_TEXT(x) GLINT_TEXT_OF(x)
+#ifndef GLINT_TOPS  // CMake defines it for all kernels and includes their prototypes
+#ifndef GLINT_TOP
+#define GLINT_TOP glint_bps_p12
+#endif
+// clang-format off
+#define GLINT_PROTOTYPE_OF(top) top##_constants.hpp
+#define GLINT_PROTOTYPE(top) GLINT_PROTOTYPE_OF(top)
 #define GLINT_TOPS(X) X(GLINT_TOP)
-#elif !defined(GLINT_TOPS)  // CMake defines it for all lobes
-#define GLINT_TOPS(X) X(glint_bps_p12) X(glint_bps_p8) X(glint_bps_p16)
+#if __has_include(GLINT_TEXT(generated/GLINT_PROTOTYPE(GLINT_TOP)))
+#include GLINT_TEXT(generated/GLINT_PROTOTYPE(GLINT_TOP))
+#else
+#include GLINT_TEXT(GLINT_PROTOTYPE(GLINT_TOP))
+#endif
+// clang-format on
 #endif
 
 #ifdef GLINT_CATAPULT  // SCVerify puts the RTL in place of the function that CCS_DESIGN names
@@ -28,50 +43,32 @@
 #define CCS_RETURN(status) return (status)
 #endif
 
-#define GLINT_DECLARE(top) extern "C" std::uint32_t top(std::uint16_t n, std::int32_t cos_code);
-GLINT_TOPS(GLINT_DECLARE)
-
 namespace {
 
-#define GLINT_TEXT_OF(x) #x
-#define GLINT_TEXT(x) GLINT_TEXT_OF(x)
 #define GLINT_NAME(top) GLINT_TEXT(top),
 const char* const tops[] = {GLINT_TOPS(GLINT_NAME)};
 
-struct Vector {
-    std::uint16_t n;
-    std::int32_t cos_code;
-    std::uint32_t y;
-    bool clamped;
-};
+constexpr std::size_t most_ports = 64;
 
-/// Reads the number at `text` and steps over it. False when there is none, or it is outside low..high.
-bool read_number(const char*& text, long long low, long long high, long long& value) {
+/// Reads the number at `text` and steps over it. False when there is none, or it does not fit 32 bits.
+bool read_number(const char*& text, std::int32_t& value) {
     char* end = nullptr;
     errno = 0;
-    value = std::strtoll(text, &end, 10);
-    if (end == text || errno != 0 || value < low || value > high) return false;
+    const long long number = std::strtoll(text, &end, 10);
+    if (end == text || errno != 0 || number < INT32_MIN || number > INT32_MAX) return false;
     text = end;
+    value = static_cast<std::int32_t>(number);
     return *text == ' ' || *text == '\0' || *text == '\r';
 }
 
-/// Four numbers within what the ports of any profile can carry, and nothing else.
-bool parse(const std::string& line, Vector& vector) {
+/// `count` numbers, `clamped` the last of them, and nothing else.
+bool parse(const std::string& line, std::int32_t* numbers, std::size_t count) {
     const char* text = line.c_str();
-    long long n = 0;
-    long long cos_code = 0;
-    long long y = 0;
-    long long clamped = 0;
-    if (!read_number(text, 0, 1023, n) || !read_number(text, INT32_MIN, INT32_MAX, cos_code) ||
-        !read_number(text, 0, INT32_MAX, y) || !read_number(text, 0, 1, clamped)) {
-        return false;
+    for (std::size_t i = 0; i < count; ++i) {
+        if (!read_number(text, numbers[i])) return false;
     }
     text += std::strspn(text, " \r");
-    vector.n = static_cast<std::uint16_t>(n);
-    vector.cos_code = static_cast<std::int32_t>(cos_code);
-    vector.y = static_cast<std::uint32_t>(y);
-    vector.clamped = clamped != 0;
-    return *text == '\0';
+    return *text == '\0' && (numbers[count - 1] == 0 || numbers[count - 1] == 1);
 }
 
 }  // namespace
@@ -104,23 +101,33 @@ CCS_MAIN(int argc, char** argv) {
     std::string line;
     while (std::getline(file, line)) {
         ++vectors;
-        Vector vector = {};
-        if (!parse(line, vector)) {
+        bool well_formed = false;
+        std::int32_t numbers[most_ports] = {};
+        std::int32_t results[most_ports] = {};
+        std::size_t inputs = 0;
+        std::size_t outputs = 0;
+#define GLINT_CALL(name)                                                                               \
+    if (top == GLINT_TEXT(name)) {                                                                     \
+        using Ports = glint_flat::Ports<decltype(name)>;                                               \
+        inputs = Ports::inputs;                                                                        \
+        outputs = Ports::outputs;                                                                      \
+        well_formed = parse(line, numbers, inputs + outputs) && Ports::carry(numbers);                 \
+        if (well_formed) {                                                                             \
+            Ports::call([](auto&&... ports) { return CCS_DESIGN(name)(ports...); }, numbers, results); \
+        }                                                                                              \
+    }
+        GLINT_TOPS(GLINT_CALL)
+        if (!well_formed) {
             std::fprintf(stderr,
-                         "glint-hls-tb: %s:%lld: '%s' is not a vector; legal: n cos_code y clamped, in decimal\n",
-                         path.c_str(), vectors, line.c_str());
+                         "glint-hls-tb: %s:%lld: '%s' is not a vector; legal: %d inputs, %d outputs (clamped last), in "
+                         "decimal, as the ports can carry them\n",
+                         path.c_str(), vectors, line.c_str(), static_cast<int>(inputs), static_cast<int>(outputs));
             CCS_RETURN(2);
         }
-        std::uint32_t word = 0;
-#define GLINT_CALL(name) \
-    if (top == GLINT_TEXT(name)) word = CCS_DESIGN(name)(vector.n, vector.cos_code);
-        GLINT_TOPS(GLINT_CALL)
-        const std::uint32_t expected = vector.y | (vector.clamped ? 0x80000000U : 0U);
-        if (word != expected && ++mismatches <= shown) {
-            std::printf("line %lld: n = %d, cos_code = %" PRId32 ": y = %" PRIu32 ", clamped = %" PRIu32
-                        "; expected y = %" PRIu32 ", clamped = %d\n",
-                        vectors, static_cast<int>(vector.n), vector.cos_code, word & 0x7fffffffU, word >> 31, vector.y,
-                        vector.clamped ? 1 : 0);
+        if (std::memcmp(results, numbers + inputs, outputs * sizeof *results) != 0 && ++mismatches <= shown) {
+            std::printf("line %lld: '%s': got", vectors, line.c_str());
+            for (std::size_t i = 0; i < outputs; ++i) std::printf(" %" PRId32, results[i]);
+            std::printf("\n");
         }
     }
     if (file.bad()) {

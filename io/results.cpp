@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "glint/lobes.hpp"
 #include "io/files.hpp"
 
 namespace glint::io {
@@ -31,6 +32,27 @@ Json to_json(const Accuracy& a) {
                 {"epicentre", to_json(a.epicentre, "max")}};
 }
 
+/// All of a run that the figures for people are made from.
+Json part_json(const RunResult& run) {
+    Json out{{"key", run.key}, {"complaint", run.complaint}};
+    if (run.hardware) {
+        const Timing& t = run.hardware->timing;
+        out["timing"] = {{"least_latency", t.least_latency},
+                         {"most_latency", t.most_latency},
+                         {"span", t.span},
+                         {"span_results", t.span_results},
+                         {"intervals", t.intervals},
+                         {"interval_clocks", t.interval_clocks}};
+    }
+    if (!run.accuracy) return out;
+    out["squares"] = Json::array();
+    for (const AccuracyRow& row : run.accuracy->rows) {
+        out["squares"].push_back({{"rounding", row.accuracy.rounding_squares.halves()},
+                                  {"approximation", row.accuracy.approximation_squares.halves()}});
+    }
+    return out;
+}
+
 Json to_json(const RunResult& run) {
     Json out{{"lobe", run.lobe},
              {"profile", run.profile},
@@ -46,9 +68,9 @@ Json to_json(const RunResult& run) {
         out["architecture"] = run.architecture;
         out["mismatches"] = run.hardware->mismatches;
         out["cycles"] = run.hardware->cycles;
-        out["latency_cycles"] = run.hardware->latency_cycles;
-        out["interval_cycles"] = run.hardware->interval_cycles;
-        out["results_per_cycle"] = run.hardware->results_per_cycle;
+        out["latency_cycles"] = run.hardware->timing.most_latency;
+        out["interval_cycles"] = run.hardware->timing.interval_cycles();
+        out["results_per_cycle"] = run.hardware->timing.results_per_cycle();
         out["stall_probability"] = run.hardware->stall_probability;
         out["seed"] = run.hardware->seed;
     }
@@ -69,13 +91,35 @@ std::string place(const Worst& worst, int F) {
     return fmt::format("n={} c={:.5f}", worst.n, static_cast<double>(worst.cos_code) / static_cast<double>(1 << F));
 }
 
-std::string grouped(std::uint64_t number) {
-    std::string out = fmt::format("{}", number);
-    for (std::size_t i = out.size(); i > 3; i -= 3) out.insert(i - 3, 1, ' ');
-    return out;
+double ratio(std::uint64_t above, std::uint64_t below) {
+    return below == 0 ? 0.0 : static_cast<double>(above) / static_cast<double>(below);
 }
 
 }  // namespace
+
+void Timing::merge(const Timing& other) {
+    if (other.most_latency > 0) {
+        least_latency = most_latency == 0 ? other.least_latency : std::min(least_latency, other.least_latency);
+        most_latency = std::max(most_latency, other.most_latency);
+    }
+    span += other.span;
+    span_results += other.span_results;
+    intervals += other.intervals;
+    interval_clocks += other.interval_clocks;
+}
+
+double Timing::results_per_cycle() const { return ratio(span_results, span); }
+double Timing::interval_cycles() const { return ratio(interval_clocks, intervals); }
+
+std::string Timing::complaint() const {
+    if (least_latency == most_latency) return {};
+    return fmt::format("latency varies without stalls: {} to {} clocks\n", least_latency, most_latency);
+}
+
+void RunResult::set_inputs(std::uint64_t count) {
+    inputs = count;
+    exhaustive = accuracy && count == max_n * ((std::uint64_t{1} << F) + 1);
+}
 
 RunResult run_result(const GoldenModel& model, std::string unit, std::string test) {
     RunResult out;
@@ -88,11 +132,29 @@ RunResult run_result(const GoldenModel& model, std::string unit, std::string tes
     return out;
 }
 
-nlohmann::ordered_json to_json(const std::vector<RunResult>& runs, const std::string& tool,
-                               const std::string& command) {
-    Json out{{"tool", tool}, {"version", GLINT_VERSION}, {"command", command}, {"runs", Json::array()}};
-    for (const RunResult& run : runs) out["runs"].push_back(to_json(run));
+nlohmann::ordered_json to_json(const std::vector<RunResult>& runs, const std::string& tool, const std::string& command,
+                               Shard shard) {
+    Json out{{"tool", tool}, {"version", GLINT_VERSION}, {"command", command}};
+    if (shard.count > 1) out["shard"] = {{"index", shard.index}, {"count", shard.count}};
+    out["runs"] = Json::array();
+    for (const RunResult& run : runs) {
+        out["runs"].push_back(to_json(run));
+        if (shard.count > 1) out["runs"].back()["part"] = part_json(run);
+    }
     return out;
+}
+
+std::string grouped(std::uint64_t number) {
+    std::string out = fmt::format("{}", number);
+    for (std::size_t i = out.size(); i > 3; i -= 3) out.insert(i - 3, 1, ' ');
+    return out;
+}
+
+bool bound_reached(const RunResult& run) {
+    const auto shipped = shipped_profiles();
+    const auto same = [&](const Profile& profile) { return profile.name == run.profile; };
+    return run.accuracy && std::any_of(shipped.begin(), shipped.end(), same) &&
+           run.accuracy->total.rounding.value >= find_lobe(run.lobe).bound_ulp;
 }
 
 std::string results_table(const std::vector<RunResult>& runs, bool hardware) {
@@ -124,10 +186,11 @@ std::string results_table(const std::vector<RunResult>& runs, bool hardware) {
             add(row, accuracy, {"-", "-", "-", "-", "-", "-"});
         }
         // Both are measured at full speed only.
-        const bool timed = run.hardware && run.hardware->latency_cycles > 0;
+        const bool timed = run.hardware && run.hardware->timing.most_latency > 0;
         add(row, hardware,
-            {timed ? fmt::format("{}", run.hardware->latency_cycles) : "-",
-             timed && run.hardware->interval_cycles > 0 ? fmt::format("{:g}", run.hardware->interval_cycles) : "-"});
+            {timed ? fmt::format("{}", run.hardware->timing.most_latency) : "-",
+             timed && run.hardware->timing.intervals > 0 ? fmt::format("{:g}", run.hardware->timing.interval_cycles())
+                                                         : "-"});
         add(row, true,
             {fmt::format("{:.1f}", run.seconds > 0 ? static_cast<double>(run.inputs) / run.seconds / 1e6 : 0.0)});
         rows.push_back(row);

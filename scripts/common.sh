@@ -49,6 +49,7 @@ install_missing() {
         need catch2 file_there '/usr/include/catch2/catch*.hpp'
         need libclang-rt-dev file_there '/usr/lib/llvm-*/lib/clang/*/lib/linux/libclang_rt.asan-*.a'
         need make command_there make
+        need parallel command_there parallel
         need valgrind command_there valgrind
         need libbenchmark-dev file_there '/usr/include/benchmark/benchmark.h'
         need iverilog command_there iverilog
@@ -56,6 +57,7 @@ install_missing() {
         need nextpnr-ice40 command_there nextpnr-ice40
         need z3 command_there z3
         need sollya command_there sollya
+        need tcl command_there tclsh
         need clang-format command_there clang-format
         # Ubuntu has a snap for it: the test of the page in a browser is left out there.
         ! grep -qx 'ID=debian' /etc/os-release || need chromium command_there chromium

@@ -128,13 +128,8 @@ void Checker::count() {
     log_.inputs += clamped_.size();
     log_.cycles += outcome_.cycles;
     if (request_.stall_probability > 0.0 || outcome_.results == 0) return;
-    log_.span += outcome_.span;
-    log_.span_results += outcome_.results;
-    log_.intervals += outcome_.results - 1;
-    log_.interval_clocks += outcome_.span - 1;
-    if (log_.most_latency == 0) log_.least_latency = outcome_.latency;
-    log_.least_latency = std::min(log_.least_latency, outcome_.latency);
-    log_.most_latency = std::max(log_.most_latency, outcome_.latency);
+    log_.timing.merge(
+        {outcome_.latency, outcome_.latency, outcome_.span, outcome_.results, outcome_.results - 1, outcome_.span - 1});
 }
 
 void Checker::fail(std::uint64_t place, Failure failure) {
@@ -169,10 +164,12 @@ std::string Checker::description(const Stimulus& stimulus, const std::vector<std
 
 double run_plan(const Plan& plan, const EffectModel& model, const UnitKind& kind, const Request& request, Log& log,
                 const Progress& progress) {
+    request.shard.check(plan.tasks);
+    const std::uint64_t first = request.shard.first(plan.tasks);
     const auto start = std::chrono::steady_clock::now();
-    parallel_tasks(plan.tasks, request.threads, progress, [&] {
+    parallel_tasks(request.shard.end(plan.tasks) - first, request.threads, progress, [&] {
         auto checker = std::make_shared<Checker>(model, kind, request, log);
-        return [checker, worker = plan.worker(*checker)](std::uint64_t task) { worker(task); };
+        return [checker, first, worker = plan.worker(*checker)](std::uint64_t task) { worker(first + task); };
     });
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
@@ -181,10 +178,7 @@ std::string complaint(const EffectModel& model, const UnitKind& kind, const Requ
                       const std::string& own) {
     std::string text;
     if (log.inputs == 0) text += "0 inputs were tried, which is a failure\n";
-    if (log.least_latency != log.most_latency) {
-        text += fmt::format("latency varies without stalls: {} to {} clocks\n", log.least_latency, log.most_latency);
-    }
-    text += own;
+    text += log.timing.complaint() + own;
     if (log.mismatches == 0) return text;
     const Failure& first = log.failures.begin()->second;
     text += fmt::format("{} mismatches; the first:\n{}", log.mismatches, first.complaint);

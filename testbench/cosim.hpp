@@ -12,6 +12,7 @@
 
 #include "glint/effect.hpp"
 #include "glint/parallel.hpp"
+#include "io/results.hpp"
 #include "unit.hpp"
 
 namespace glint::testbench {
@@ -33,6 +34,7 @@ struct Request {
     double stall_probability = 0.0;
     std::uint64_t seed = 1;
     unsigned threads = 0;
+    Shard shard;             ///< of the tasks
     std::string trace_file;  ///< waveform of the first mismatch's neighbourhood; empty: none
 };
 
@@ -68,14 +70,8 @@ struct Failure {
 struct Log {
     std::mutex mutex;
     std::uint64_t inputs = 0, mismatches = 0, cycles = 0;
-    std::uint64_t span = 0, span_results = 0;
-    std::uint64_t intervals = 0, interval_clocks = 0;  ///< between neighbouring results, without stalls
-    int least_latency = 0, most_latency = 0;
+    io::Timing timing;
     std::map<std::uint64_t, Failure> failures;  ///< by place; only the first few are kept
-
-    double results_per_cycle() const {
-        return span == 0 ? 0.0 : static_cast<double>(span_results) / static_cast<double>(span);
-    }
 };
 
 /// Streams bursts through one unit and compares. One a thread.
@@ -122,7 +118,7 @@ struct Plan {
     std::function<std::function<void(std::uint64_t)>(Checker&)> worker;
 };
 
-/// Runs a plan on all threads. Returns the seconds that it took.
+/// Runs the request's shard of a plan on all threads. Returns the seconds that it took.
 double run_plan(const Plan& plan, const EffectModel& model, const UnitKind& kind, const Request& request, Log& log,
                 const Progress& progress);
 

@@ -23,32 +23,9 @@ struct Bursts {
     std::function<void(std::uint64_t burst, Random&, Stimulus&)> make;
 };
 
-/// The codes at which an input could go wrong: 0, 1 ulp, small, 1/2, 1 - 1 ulp, 1, the ends of what is legal and of
-/// what the port carries, and one beyond.
-std::vector<std::int64_t> corner_codes(const EffectPort& port) {
-    const std::int64_t one = std::int64_t{1} << port.fraction_bits;
-    std::vector<std::int64_t> codes{
-        port.least(), port.low - 1, port.low,      -one,           -1, 0, 1, one / 64 + 1, one / 2, one - 1,
-        one,          port.high,    port.high + 1, port.greatest()};
-    if (port.fraction_bits == 0) codes.push_back((port.low + port.high) / 20);
-    std::sort(codes.begin(), codes.end());
-    codes.erase(std::unique(codes.begin(), codes.end()), codes.end());
-    std::erase_if(codes, [&](std::int64_t code) { return code < port.least() || code > port.greatest(); });
-    return codes;
-}
-
-/// Legal: one half uniform, one quarter near 0, one quarter near the top, at every distance alike.
-std::int64_t random_code(const EffectPort& port, Random& random) {
-    const auto kind = random.between(0, 3);
-    if (kind < 2) return random.between(port.low, port.high);
-    const std::int64_t distance = random.between(0, (std::int64_t{1} << random.between(0, port.bits)) - 1);
-    if (kind == 3) return std::clamp(port.high - distance, port.low, port.high);
-    const bool negative = port.low < 0 && random.between(0, 1) == 1;
-    return std::clamp(negative ? -distance : distance, port.low, port.high);
-}
-
 void random_row(const EffectModel& model, Random& random, Stimulus& stimulus, std::size_t i) {
-    for (std::size_t p = 0; p < model.inputs().size(); ++p) stimulus.set(i, p, random_code(model.inputs()[p], random));
+    for (std::size_t p = 0; p < model.inputs().size(); ++p)
+        stimulus.set(i, p, random_legal_code(model.inputs()[p], random));
 }
 
 /// `inputs` in bursts of which row(k, random, stimulus, i) makes the i-th of a burst, the k-th of all.
@@ -227,8 +204,8 @@ EffectRun test_effect(const Effect& effect, const EffectModel& model, const Unit
     run.inputs = log.inputs;
     run.mismatches = log.mismatches;
     run.cycles = log.cycles;
-    run.latency_cycles = log.most_latency;
-    run.results_per_cycle = log.results_per_cycle();
+    run.latency_cycles = log.timing.most_latency;
+    run.results_per_cycle = log.timing.results_per_cycle();
     for (const auto& [burst, error] : errors.largest) {
         if (!(error.ulp <= run.error.ulp)) run.error = error;
     }

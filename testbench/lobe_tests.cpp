@@ -87,11 +87,9 @@ Plan illegal_plan(const GoldenModel& model, const Request& request) {
             }};
 }
 
-using TaskAccuracy = std::vector<std::vector<Accuracy>>;  // a list by n for each task
-
-Plan grid_plan(const GoldenModel& model, const Request& request, const SweepPlan& sweep, TaskAccuracy& by_task) {
+Plan grid_plan(const GoldenModel& model, const Request& request, SweepPlan& sweep) {
     return {sweep.tasks(), [&](Checker& checker) {
-                return [&](std::uint64_t task) {
+                return [&, &part = sweep.part()](std::uint64_t task) {
                     const std::vector<int>& n = sweep.n();
                     const std::vector<std::int32_t> codes = sweep.codes(task);
                     AccuracyMeter meter(model, codes);
@@ -108,7 +106,7 @@ Plan grid_plan(const GoldenModel& model, const Request& request, const SweepPlan
                             packed[i] = static_cast<std::uint32_t>(outcome.values[0][i]) |
                                         std::uint32_t{outcome.clamped[i]} << 31;
                         }
-                        meter.add(n[k], packed, by_task[task][k]);
+                        meter.add(n[k], packed, part[k]);
                     }
                 };
             }};
@@ -116,51 +114,49 @@ Plan grid_plan(const GoldenModel& model, const Request& request, const SweepPlan
 
 }  // namespace
 
-LobeRun test_lobe(const GoldenModel& model, const UnitKind& kind, const Request& request, const Grid& grid,
-                  const Progress& progress) {
+std::string key_of(const UnitKind& kind, const Request& request, const Grid& grid) {
+    std::string inputs = fmt::format("count {} seed {}", request.count, request.seed);
+    if (request.test == Test::stream && request.count == 0) {
+        inputs = fmt::format("n {}:{}:{} cos {}:{}:{} seed {}", grid.n.first, grid.n.last, grid.n.step,
+                             grid.cos_code.first, grid.cos_code.last, grid.cos_code.step, request.seed);
+    }
+    return fmt::format("{} {} {} stalls {} verilog {}", kind.name(), name(request.test), inputs,
+                       request.stall_probability, kind.verilog);
+}
+
+io::RunResult test_lobe(const GoldenModel& model, const UnitKind& kind, const Request& request, const Grid& grid,
+                        const Progress& progress) {
     const std::unique_ptr<EffectModel> unit = lobe_unit(model);
-    LobeRun out{io::run_result(model, std::string(kind.unit), std::string(name(request.test))), {}};
-    out.result.architecture = kind.architecture;
+    io::RunResult out = io::run_result(model, std::string(kind.unit), std::string(name(request.test)));
+    out.architecture = kind.architecture;
+    out.key = key_of(kind, request, grid);
     Log log;
     if (request.test == Test::illegal) {
-        out.result.seconds = run_plan(illegal_plan(model, request), *unit, kind, request, log, progress);
+        out.seconds = run_plan(illegal_plan(model, request), *unit, kind, request, log, progress);
     } else if (request.test == Test::reset) {
         constexpr std::uint64_t length = 512;
         const Plan plan = random_plan(model, request, request.count * length, length);
-        out.result.seconds = run_plan(plan, *unit, kind, request, log, progress);
+        out.seconds = run_plan(plan, *unit, kind, request, log, progress);
     } else if (request.count > 0) {
         const Plan plan = random_plan(model, request, request.count, burst_length);
-        out.result.seconds = run_plan(plan, *unit, kind, request, log, progress);
+        out.seconds = run_plan(plan, *unit, kind, request, log, progress);
     } else {
-        const SweepPlan sweep(grid.n, grid.cos_code);
-        TaskAccuracy by_task(sweep.tasks(), std::vector<Accuracy>(sweep.n().size()));
-        const Plan plan = grid_plan(model, request, sweep, by_task);
-        out.result.seconds = run_plan(plan, *unit, kind, request, log, progress);
-        out.result.accuracy = sweep.merge(by_task);
-        out.result.exhaustive = sweep.inputs() == max_n * (static_cast<std::uint64_t>(model.profile().one()) + 1);
+        SweepPlan sweep(grid.n, grid.cos_code);
+        out.seconds = run_plan(grid_plan(model, request, sweep), *unit, kind, request, log, progress);
+        out.accuracy = sweep.result();
     }
-    out.result.inputs = log.inputs;
-    io::HardwareResult hardware;
-    hardware.mismatches = log.mismatches;
-    hardware.cycles = log.cycles;
-    hardware.latency_cycles = log.most_latency;
-    hardware.results_per_cycle = log.results_per_cycle();
-    if (log.intervals > 0) {
-        hardware.interval_cycles = static_cast<double>(log.interval_clocks) / static_cast<double>(log.intervals);
-    }
-    hardware.stall_probability = request.stall_probability;
-    hardware.seed = request.seed;
-    out.result.hardware = hardware;
+    out.set_inputs(log.inputs);
+    out.hardware = {log.mismatches, log.cycles, log.timing, request.stall_probability, request.seed};
 
     // One result a clock, but for the iterative divider, which takes the next input when a result leaves the core.
     const std::uint64_t interval =
         kind.architecture.starts_with("iterative")
-            ? static_cast<std::uint64_t>(log.most_latency - (kind.unit == "axis" ? axis_latency : 0))
+            ? static_cast<std::uint64_t>(log.timing.most_latency - (kind.unit == "axis" ? axis_latency : 0))
             : 1;
     std::string own;
-    if (log.mismatches == 0 && log.interval_clocks != log.intervals * interval) {
-        own = fmt::format("{} clocks between {} results without stalls, not {} each\n", log.interval_clocks,
-                          log.intervals + 1, interval);
+    if (log.mismatches == 0 && log.timing.interval_clocks != log.timing.intervals * interval) {
+        own = fmt::format("{} clocks between {} results without stalls, not {} each\n", log.timing.interval_clocks,
+                          log.timing.intervals + 1, interval);
     }
     out.complaint = complaint(*unit, kind, request, log, own);
     return out;

@@ -16,13 +16,11 @@ struct Grid {
     Range cos_code{0, 0, 1};
 };
 
-struct LobeRun {
-    io::RunResult result;
-    std::string complaint;  ///< what went wrong, for people; empty when all is well
-};
+/// What determines the results of test_lobe, whatever the shard.
+std::string key_of(const UnitKind& kind, const Request& request, const Grid& grid);
 
 /// Runs one test of one unit. Throws Error when there is nothing to run.
-LobeRun test_lobe(const GoldenModel& model, const UnitKind& kind, const Request& request, const Grid& grid,
-                  const Progress& progress);
+io::RunResult test_lobe(const GoldenModel& model, const UnitKind& kind, const Request& request, const Grid& grid,
+                        const Progress& progress);
 
 }  // namespace glint::testbench

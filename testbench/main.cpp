@@ -9,6 +9,7 @@
 #include "effect_tests.hpp"
 #include "glint/error.hpp"
 #include "io/command.hpp"
+#include "io/shards.hpp"
 #include "junit.hpp"
 #include "lobe_tests.hpp"
 
@@ -36,6 +37,7 @@ struct Options {
     std::string trace;
     std::string json;
     std::string junit;
+    io::ShardOptions shard;
 };
 
 /// The units that are asked for, of one golden model. `architectures`: names, "all" that this build has, or empty: the
@@ -90,6 +92,7 @@ Request make_request(const Options& options) {
     request.stall_probability = options.stall_probability;
     request.seed = options.seed;
     request.threads = options.threads;
+    request.shard = options.shard.shard();
     request.trace_file = options.trace;
     return request;
 }
@@ -188,18 +191,22 @@ int cosim_lobes(const Options& options, const std::string& command) {
         }
     }
     Report report(options);
+    Request request = make_request(options);
+    if (request.test == Test::exhaustive) request.test = Test::stream;  // of the whole grid
+    const auto grid_of = [&](const GoldenModel& model) {
+        return Grid{parse_range(options.n, "--n", 1, max_n),
+                    parse_range(options.cos, "--cos", 0, model.profile().one())};
+    };
+    std::vector<std::string> keys;
+    for (const auto& [model, kind] : work) keys.push_back(key_of(*kind, request, grid_of(*model)));
+    if (options.shard.there(options.json, "glint-cosim", keys)) return io::success;
     std::vector<io::RunResult> runs;
     for (const auto& [model, kind] : work) {
         const std::string name = kind->name();
-        Request request = make_request(options);
-        if (request.test == Test::exhaustive) request.test = Test::stream;  // of the whole grid
-        const Grid grid{parse_range(options.n, "--n", 1, max_n),
-                        parse_range(options.cos, "--cos", 0, model->profile().one())};
-        LobeRun run = test_lobe(*model, *kind, request, grid, io::progress_bar(name));
-        report.add(name, run.result.test, run.result.seconds, run.complaint);
-        runs.push_back(std::move(run.result));
+        runs.push_back(test_lobe(*model, *kind, request, grid_of(*model), io::progress_bar(name)));
+        report.add(name, runs.back().test, runs.back().seconds, runs.back().complaint);
     }
-    return report.finish(io::to_json(runs, "glint-cosim", command), io::results_table(runs, true));
+    return report.finish(io::to_json(runs, "glint-cosim", command, request.shard), io::results_table(runs, true));
 }
 
 }  // namespace
@@ -236,8 +243,9 @@ int main(int argc, char** argv) {
     io::add_integer(app, "--seed", options.seed, 0, io::largest_seed, "Seed of all that is random");
     io::add_integer(app, "--threads", options.threads, 0, io::most_threads, "Threads; 0: one a core");
     app.add_option("--trace", options.trace, "Waveform (FST) around the first mismatch");
-    app.add_option("--json", options.json, "Write the results, per n and in total");
+    CLI::Option* json = app.add_option("--json", options.json, "Write the results, per n and in total");
     app.add_option("--junit", options.junit, "Write the results as JUnit XML");
+    CLI::Option* shard = options.shard.add(app, json);
     // Without this, the lists of what excludes what do not fit a screen.
     for (CLI::Option* option : {count, resets}) option->option_text("INT");
     for (CLI::Option* option : {n, cos, effect}) option->option_text("TEXT");
@@ -246,7 +254,7 @@ int main(int argc, char** argv) {
     count->excludes(n)->excludes(cos)->excludes(illegal)->excludes(resets);
     illegal->excludes(n)->excludes(cos)->excludes(resets);
     resets->excludes(n)->excludes(cos);
-    effect->excludes(n)->excludes(cos)->excludes(unit);
+    effect->excludes(n)->excludes(cos)->excludes(unit)->excludes(shard);
     app.footer("Example: glint-cosim --lobe bps --profile p8,p12,p16 --exhaustive --json cosim.json");
     const std::string command = io::command_line(argc, argv);
     return io::run(app, argc, argv, [&] {

@@ -70,6 +70,7 @@ const Registration registration({.effect = GLINT_EFFECT_NAME,
                                  .architecture = GLINT_ARCHITECTURE,
                                  .mask = GLINT_MASK,
                                  .id = GLINT_ID,
+                                 .verilog = GLINT_VERILOG,
                                  .make = make});
 
 }  // namespace

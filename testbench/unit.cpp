@@ -39,7 +39,7 @@ const UnitKind& find_effect_unit(std::string_view effect, std::string_view lobe,
         if (kind.effect == effect && kind.lobe == lobe && kind.profile == profile && kind.mask == mask) return kind;
         known += fmt::format("{}{}", known.empty() ? "" : ", ", kind.name());
     }
-    const UnitKind missing{effect, lobe, profile, {}, {}, mask, {}, nullptr};
+    const UnitKind missing{effect, lobe, profile, {}, {}, mask, {}, {}, nullptr};
     throw Error(fmt::format(
         "unit '{}' is not in this build, which has: {} (the CMake lists GLINT_EFFECTS, GLINT_EFFECT_LOBES and "
         "GLINT_PROFILES say)",

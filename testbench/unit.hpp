@@ -78,7 +78,8 @@ struct UnitKind {
     std::string_view unit;          ///< "core" or "axis"
     std::string_view architecture;  ///< of a lobe: its canonical name, e.g. "restoring"
     int mask = -1;  ///< MASK of shade, the bits of its port `effects` that are built; -1: all, as of every other effect
-    std::string_view id;  ///< of the build: the target waveform-<id> is the same unit, made to draw
+    std::string_view id;       ///< of the build: the target waveform-<id> is the same unit, made to draw
+    std::string_view verilog;  ///< a hash of its Verilog
     MakeUnit make = nullptr;
 
     /// "bps p8 core restoring", "phong bps p8", "shade bps p12 MASK 3".

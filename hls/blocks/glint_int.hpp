@@ -39,11 +39,13 @@
 
 // GLINT_UNROLL before a loop and GLINT_UNROLL_VITIS as its first line: every pass of it in hardware of its own.
 // GLINT_PIPELINE_CATAPULT before a top function and GLINT_PIPELINE_VITIS as its first line: one result a clock.
+// GLINT_ROM_VITIS after the table `values`: a memory with as many ports as calls read it, replicated where it must be.
 // GLINT_INLINE before a function template: no call of it is left. Bambu pipelines no function with a call.
 #define GLINT_UNROLL
 #define GLINT_UNROLL_VITIS
 #define GLINT_PIPELINE_CATAPULT
 #define GLINT_PIPELINE_VITIS
+#define GLINT_ROM_VITIS
 #define GLINT_INLINE
 #if defined(GLINT_BAMBU)
 #undef GLINT_UNROLL
@@ -60,6 +62,8 @@
 #define GLINT_UNROLL_VITIS _Pragma("HLS UNROLL")
 #undef GLINT_PIPELINE_VITIS
 #define GLINT_PIPELINE_VITIS _Pragma("HLS PIPELINE II = 1")
+#undef GLINT_ROM_VITIS
+#define GLINT_ROM_VITIS _Pragma("HLS BIND_STORAGE variable = values type = rom_np")
 #endif
 
 namespace glint_hls {

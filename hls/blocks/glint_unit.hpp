@@ -34,30 +34,41 @@ Corrected<F> correct(uint<10> n, sint<F + 2> cos_code) {
     return in;
 }
 
-/// quotient = floor(x 2^S / D) for 0 <= x <= D, D > 0: S + 1 restoring steps, one quotient bit each.
-/// `partial` is what is left of the dividend, in units of the step's quotient bit. It enters a step with at most
-/// 2 D - 1 (the first with x <= D), so `remainder`, with or without D taken off, is at most D - 1 and fits the width of
-/// D; doubled for the next step it is at most 2 D - 2: one bit more.
+/// quotient = floor(x 2^S / D) for 0 <= x <= D, D > 0: S + 1 steps, one quotient bit each. A step is one addition: it
+/// takes D off a partial remainder that is not negative and adds D to a negative one, and the sign of the sum is the
+/// bit (division without restoring). The partial remainder is in -D .. D - 1, so the sum is, too, and all is modulo
+/// 2^(D_W + 1). Doubled it is even: the 1 that -D = ~D + 1 wants stands in its lowest bit.
 template <int S, int D_W>
 uint<S + 1> divide(uint<D_W> x, uint<D_W> D) {
-    uint<D_W + 1> partial = x;
-    uint<S + 1> quotient = 0;
+    const uint<D_W + 1> plus = D;
+    const uint<D_W + 1> minus = to_uint<D_W + 1>(~plus);
+    uint<D_W + 1> partial = to_uint<D_W + 1>(to_uint<D_W + 1>(x) - plus);
+    uint<S + 1> quotient = to_uint<S + 1>((partial >> D_W) == 0);
     GLINT_UNROLL
-    for (int step = 0; step <= S; ++step) {
+    for (int step = 1; step <= S; ++step) {
         GLINT_UNROLL_VITIS
-        const bool fits = partial >= D;
-        const uint<D_W> reduced = to_uint<D_W>(partial - D);
-        const uint<D_W> remainder = fits ? reduced : to_uint<D_W>(partial);
-        quotient = to_uint<S + 1>((quotient << 1) | to_uint<S + 1>(fits));
-        partial = to_uint<D_W + 1>(to_uint<D_W + 1>(remainder) << 1);
+        const bool subtract = (partial >> D_W) == 0;
+        const uint<D_W + 1> doubled = to_uint<D_W + 1>(to_uint<D_W + 1>(partial << 1) | to_uint<D_W + 1>(subtract));
+        partial = to_uint<D_W + 1>(doubled + (subtract ? minus : plus));
+        quotient = to_uint<S + 1>(to_uint<S + 1>(quotient << 1) | to_uint<S + 1>((partial >> D_W) == 0));
     }
     return quotient;
+}
+
+/// x y for x <= 2^X and y <= 2^Y: X-by-Y bits of a multiplier. Where a factor has its top bit, its other bits are 0.
+template <int X, int Y>
+uint<X + Y + 1> product_of_fractions(uint<X + 1> x, uint<Y + 1> y) {
+    const uint<X + Y + 1> low = product_u<X + Y + 1>(to_uint<X>(x), to_uint<Y>(y));
+    const uint<X + Y + 1> of_x = to_uint<X + Y + 1>(to_uint<X + Y + 1>(y) << X);
+    const uint<X + Y + 1> of_y = to_uint<X + Y + 1>(to_uint<X + Y + 1>(to_uint<X>(x)) << Y);
+    return (x >> X) != 0 ? of_x : (y >> Y) != 0 ? of_y : low;
 }
 
 /// n (2^F - C), at most 1023 2^F.
 template <int F>
 uint<F + 10> scaled_distance(const Corrected<F>& in) {
-    return product_u<F + 10>(in.n, in.distance);
+    const uint<F + 10> all = to_uint<F + 10>(to_uint<F + 10>(in.n) << F);
+    return (in.distance >> F) != 0 ? all : product_u<F + 10>(in.n, to_uint<F>(in.distance));
 }
 
 /// Schlick's fraction at S bits: floor(C 2^S / D), D = n 2^F - (n-1) C = C + n (2^F - C). D is at most n 2^F, since it
@@ -68,11 +79,17 @@ uint<S + 1> ratio(const Corrected<F>& in) {
     return divide<S, F + 10>(in.C, D);
 }
 
+/// x^2 of x <= 2^S: S-by-S bits of a multiplier, since the other bits of 2^S are 0.
+template <int S>
+uint<2 * S + 1> square_of_fraction(uint<S + 1> x) {
+    const uint<2 * S + 1> low = product_u<2 * S + 1>(to_uint<S>(x), to_uint<S>(x));
+    return to_uint<2 * S + 1>(low | to_uint<2 * S + 1>(to_uint<2 * S + 1>(x >> S) << (2 * S)));
+}
+
 /// rnd(x^2, 2 S - R): the square of a fraction 0 .. 2^S, at R bits, 0 .. 2^R. Its product and half fit 2 S + 1 bits.
 template <int S, int R>
 uint<R + 1> square(uint<S + 1> x) {
-    const uint<2 * S + 1> product = product_u<2 * S + 1>(x, x);
-    return to_uint<R + 1>(rnd<2 * S - R>(product));
+    return to_uint<R + 1>(rnd<2 * S - R>(square_of_fraction<S>(x)));
 }
 
 /// A power of a fraction r = 0 .. 2^S, by SQUARES squarings at S bits and one product, rounded to O bits: 1 to 6 is
@@ -94,8 +111,7 @@ uint<O + 1> power(uint<S + 1> r, uint<3> chosen) {
     const bool takes_r2 = chosen == 4 || chosen == 6;
     const uint<S + 1> left = chosen == 0 ? last : chosen <= 2 ? r : chosen <= 4 ? r2 : r4;
     const uint<S + 1> right = chosen == 0 ? last : chosen == 1 ? one : takes_r ? r : takes_r2 ? r2 : r4;
-    const uint<2 * S + 1> exact = product_u<2 * S + 1>(left, right);
-    return to_uint<O + 1>(rnd<2 * S - O>(exact));
+    return to_uint<O + 1>(rnd<2 * S - O>(product_of_fractions<S, S>(left, right)));
 }
 
 /// The result word: y from bit 0, 0 where cos < 0; clamped in bit 31.

@@ -5,14 +5,15 @@
 #
 # C simulation, synthesis and cosimulation of the RTL (SCVerify), each with the same test bench and vectors; the first
 # failure ends it with exit status 1. The Verilog is rtl.v in the folder of the solution. The environment chooses:
-#   GLINT_LOBE bps (default), cayley, ...     GLINT_PROFILE p8, p12 (default), p16     GLINT_PERIOD clock period in ns, 5
+#   GLINT_KERNEL bps (default), cayley, effect_ward, ...     GLINT_PROFILE p8, p12 (default), p16
+#   GLINT_PERIOD clock period in ns, 5
+#   GLINT_ROM_FROM tables of more entries become memories, 64; smaller ones logic
 #   GLINT_SIMULATOR msim (default), vcs, ncsim: the name by which SCVerify knows the RTL simulator
 
 proc choice {name default} { return [expr {[info exists ::env($name)] ? $::env($name) : $default}] }
 
 set hls [file dirname [file dirname [file normalize [info script]]]]
-set lobe [choice GLINT_LOBE bps]
-set top glint_${lobe}_[choice GLINT_PROFILE p12]
+set top glint_[choice GLINT_KERNEL bps]_[choice GLINT_PROFILE p12]
 set period [choice GLINT_PERIOD 5.0]
 set simulator [choice GLINT_SIMULATOR msim]
 set vectors [file join $hls vectors $top.tv]
@@ -41,7 +42,9 @@ if {[catch {
 
     solution library add mgc_Xilinx-ARTIX-7-1_beh -- \
         -rtlsyntool Vivado -manufacturer Xilinx -family ARTIX-7 -speed -1 -part xc7a35tcpg236-1
+    solution library add Xilinx_ROMS
     go libraries
+    directive set -MEM_MAP_THRESHOLD [choice GLINT_ROM_FROM 64]
     directive set -CLOCKS [list clk [list -CLOCK_PERIOD $period -CLOCK_EDGE rising \
         -RESET_KIND sync -RESET_SYNC_NAME rst_n -RESET_SYNC_ACTIVE low]]
     go assembly

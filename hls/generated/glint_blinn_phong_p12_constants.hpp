@@ -34,6 +34,7 @@ struct glint_blinn_phong_p12_constants {
             19628084, 20626240, 21604229, 22562850, 23502857, 24424957, 25329821, 26218081,
             27090336, 27947151, 28789065, 29616586, 30430199, 31230363, 32017515, 32792073,
         };
+        GLINT_ROM_VITIS
         return values[index];
     }
     static std::uint32_t log2_c1(unsigned index) {
@@ -43,6 +44,7 @@ struct glint_blinn_phong_p12_constants {
             1008446, 987868, 968112, 949133, 930882, 913321, 896409, 880113,
             864398, 849235, 834594, 820450, 806777, 793552, 780755, 768362,
         };
+        GLINT_ROM_VITIS
         return values[index];
     }
     static std::int16_t log2_c2(unsigned index) {
@@ -52,24 +54,28 @@ struct glint_blinn_phong_p12_constants {
             -10290, -9879, -9491, -9126, -8782, -8457, -8149, -7858,
             -7583, -7321, -7073, -6837, -6613, -6400, -6197, -6003,
         };
+        GLINT_ROM_VITIS
         return values[index];
     }
     static std::uint32_t exp2_c0(unsigned index) {
         static const std::uint32_t values[] = {
             65536, 60097, 55109, 50535, 46341, 42495, 38968, 35734,
         };
+        GLINT_ROM_VITIS
         return values[index];
     }
     static std::int16_t exp2_c1(unsigned index) {
         static const std::int16_t values[] = {
             -22698, -20816, -19088, -17503, -16050, -14719, -13496, -12378,
         };
+        GLINT_ROM_VITIS
         return values[index];
     }
     static std::uint16_t exp2_c2(unsigned index) {
         static const std::uint16_t values[] = {
             942, 864, 792, 727, 666, 611, 560, 514,
         };
+        GLINT_ROM_VITIS
         return values[index];
     }
 };

@@ -38,6 +38,7 @@ struct glint_blinn_phong_p16_constants {
             433445373, 440330228, 447154422, 453919015, 460625039, 467273501, 473865379, 480401629,
             486883181, 493310944, 499685803, 506008622, 512280243, 518501490, 524673164, 530796049,
         };
+        GLINT_ROM_VITIS
         return values[index];
     }
     static std::uint32_t log2_c1(unsigned index) {
@@ -51,6 +52,7 @@ struct glint_blinn_phong_p16_constants {
             6915454, 6854257, 6794133, 6735055, 6676996, 6619929, 6563829, 6508672,
             6454434, 6401093, 6348626, 6297012, 6246232, 6196262, 6147086, 6098686,
         };
+        GLINT_ROM_VITIS
         return values[index];
     }
     static std::int32_t log2_c2(unsigned index) {
@@ -64,6 +66,7 @@ struct glint_blinn_phong_p16_constants {
             -30599, -30063, -29540, -29031, -28534, -28051, -27579, -27120,
             -26671, -26234, -25807, -25391, -24985, -24588, -24201, -23823,
         };
+        GLINT_ROM_VITIS
         return values[index];
     }
     static std::uint32_t exp2_c0(unsigned index) {
@@ -71,6 +74,7 @@ struct glint_blinn_phong_p16_constants {
             1048576, 1004120, 961548, 920782, 881744, 844361, 808563, 774282,
             741455, 710020, 679917, 651091, 623487, 597053, 571740, 547500,
         };
+        GLINT_ROM_VITIS
         return values[index];
     }
     static std::int32_t exp2_c1(unsigned index) {
@@ -78,6 +82,7 @@ struct glint_blinn_phong_p16_constants {
             -181676, -173976, -166596, -159534, -152771, -146294, -140094, -134152,
             -128464, -123020, -117802, -112808, -108026, -103445, -99060, -94859,
         };
+        GLINT_ROM_VITIS
         return values[index];
     }
     static std::uint16_t exp2_c2(unsigned index) {
@@ -85,6 +90,7 @@ struct glint_blinn_phong_p16_constants {
             3852, 3688, 3532, 3382, 3239, 3102, 2970, 2844,
             2724, 2608, 2498, 2392, 2290, 2193, 2100, 2011,
         };
+        GLINT_ROM_VITIS
         return values[index];
     }
 };

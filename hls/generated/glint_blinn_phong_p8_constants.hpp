@@ -32,6 +32,7 @@ struct glint_blinn_phong_p8_constants {
             0, 183423, 356359, 519942, 675132, 822749, 963498, 1097989,
             1226755, 1350264, 1468929, 1583114, 1693146, 1799317, 1901887, 2001095,
         };
+        GLINT_ROM_VITIS
         return values[index];
     }
     static std::uint32_t log2_c1(unsigned index) {
@@ -39,6 +40,7 @@ struct glint_blinn_phong_p8_constants {
             188982, 177878, 168005, 159170, 151218, 144023, 137480, 131506,
             126030, 120992, 116340, 112033, 108034, 104309, 100834, 97582,
         };
+        GLINT_ROM_VITIS
         return values[index];
     }
     static std::int16_t log2_c2(unsigned index) {
@@ -46,24 +48,28 @@ struct glint_blinn_phong_p8_constants {
             -5559, -4942, -4422, -3980, -3601, -3274, -2989, -2740,
             -2521, -2327, -2155, -2001, -1863, -1739, -1626, -1525,
         };
+        GLINT_ROM_VITIS
         return values[index];
     }
     static std::uint16_t exp2_c0(unsigned index) {
         static const std::uint16_t values[] = {
             4096, 3444, 2896, 2435,
         };
+        GLINT_ROM_VITIS
         return values[index];
     }
     static std::int16_t exp2_c1(unsigned index) {
         static const std::int16_t values[] = {
             -2834, -2382, -2004, -1682,
         };
+        GLINT_ROM_VITIS
         return values[index];
     }
     static std::uint8_t exp2_c2(unsigned index) {
         static const std::uint8_t values[] = {
             226, 190, 160, 134,
         };
+        GLINT_ROM_VITIS
         return values[index];
     }
 };

@@ -152,6 +152,7 @@ struct glint_cubic_p12_constants {
             613, 612, 611, 611, 610, 610, 609, 608,
             608, 607, 607, 606, 605, 605, 604, 604,
         };
+        GLINT_ROM_VITIS
         return values[index];
     }
     static std::int32_t row_g1(unsigned index) {
@@ -285,6 +286,7 @@ struct glint_cubic_p12_constants {
             -221916, -221915, -221915, -221915, -221915, -221915, -221914, -221914,
             -221914, -221914, -221914, -221914, -221913, -221913, -221913, -221913,
         };
+        GLINT_ROM_VITIS
         return values[index];
     }
     static std::uint32_t row_g2(unsigned index) {
@@ -418,6 +420,7 @@ struct glint_cubic_p12_constants {
             47302, 47302, 47302, 47301, 47301, 47301, 47301, 47301,
             47300, 47300, 47300, 47300, 47299, 47299, 47299, 47299,
         };
+        GLINT_ROM_VITIS
         return values[index];
     }
     static std::int16_t row_g3(unsigned index) {
@@ -551,6 +554,7 @@ struct glint_cubic_p12_constants {
             -47, -47, -47, -47, -47, -46, -46, -46,
             -46, -46, -46, -46, -46, -46, -46, -46,
         };
+        GLINT_ROM_VITIS
         return values[index];
     }
 };

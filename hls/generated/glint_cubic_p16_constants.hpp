@@ -152,6 +152,7 @@ struct glint_cubic_p16_constants {
             2449, 2447, 2444, 2442, 2440, 2437, 2435, 2432,
             2430, 2428, 2425, 2423, 2420, 2418, 2416, 2413,
         };
+        GLINT_ROM_VITIS
         return values[index];
     }
     static std::int32_t row_g1(unsigned index) {
@@ -285,6 +286,7 @@ struct glint_cubic_p16_constants {
             -3550649, -3550646, -3550643, -3550640, -3550637, -3550634, -3550632, -3550629,
             -3550626, -3550623, -3550620, -3550617, -3550614, -3550611, -3550608, -3550605,
         };
+        GLINT_ROM_VITIS
         return values[index];
     }
     static std::uint32_t row_g2(unsigned index) {
@@ -418,6 +420,7 @@ struct glint_cubic_p16_constants {
             756834, 756830, 756827, 756823, 756820, 756816, 756813, 756809,
             756805, 756802, 756798, 756795, 756792, 756788, 756785, 756781,
         };
+        GLINT_ROM_VITIS
         return values[index];
     }
     static std::int32_t row_g3(unsigned index) {
@@ -551,6 +554,7 @@ struct glint_cubic_p16_constants {
             -747, -747, -746, -745, -744, -744, -743, -742,
             -741, -741, -740, -739, -739, -738, -737, -736,
         };
+        GLINT_ROM_VITIS
         return values[index];
     }
 };

@@ -152,6 +152,7 @@ struct glint_cubic_p8_constants {
             154, 153, 153, 153, 153, 153, 153, 152,
             152, 152, 152, 152, 152, 152, 151, 151,
         };
+        GLINT_ROM_VITIS
         return values[index];
     }
     static std::int16_t row_g1(unsigned index) {
@@ -285,6 +286,7 @@ struct glint_cubic_p8_constants {
             -13870, -13870, -13870, -13870, -13870, -13870, -13870, -13870,
             -13870, -13870, -13870, -13870, -13870, -13870, -13870, -13870,
         };
+        GLINT_ROM_VITIS
         return values[index];
     }
     static std::uint16_t row_g2(unsigned index) {
@@ -418,6 +420,7 @@ struct glint_cubic_p8_constants {
             2956, 2956, 2956, 2956, 2956, 2956, 2956, 2956,
             2956, 2956, 2956, 2956, 2956, 2956, 2956, 2956,
         };
+        GLINT_ROM_VITIS
         return values[index];
     }
     static std::int16_t row_g3(unsigned index) {
@@ -551,6 +554,7 @@ struct glint_cubic_p8_constants {
             -3, -3, -3, -3, -3, -3, -3, -3,
             -3, -3, -3, -3, -3, -3, -3, -3,
         };
+        GLINT_ROM_VITIS
         return values[index];
     }
 };

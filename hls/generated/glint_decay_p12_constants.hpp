@@ -106,6 +106,7 @@ struct glint_decay_p12_constants {
             1931, 2457, 2972, 3480, 3983, 4485, 4990, 5502,
             6027, 6571, 7141, 7752, 8423, 9189, 10123, 11442,
         };
+        GLINT_ROM_VITIS
         return values[index];
     }
     static std::uint16_t logarithm_slope(unsigned index) {
@@ -175,6 +176,7 @@ struct glint_decay_p12_constants {
             526, 515, 508, 503, 502, 505, 512, 525,
             544, 570, 611, 671, 766, 934, 1023, 1023,
         };
+        GLINT_ROM_VITIS
         return values[index];
     }
     static std::uint8_t exponent_octave(unsigned index) {
@@ -308,6 +310,7 @@ struct glint_decay_p12_constants {
             15, 15, 15, 15, 15, 15, 15, 15,
             15, 15, 15, 15, 15, 15, 15, 15,
         };
+        GLINT_ROM_VITIS
         return values[index];
     }
     static std::uint16_t exponent_lambda(unsigned index) {
@@ -441,6 +444,7 @@ struct glint_decay_p12_constants {
             4002, 4008, 4014, 4020, 4026, 4032, 4038, 4043,
             4049, 4055, 4061, 4067, 4072, 4078, 4084, 4090,
         };
+        GLINT_ROM_VITIS
         return values[index];
     }
     static std::uint16_t fall_base(unsigned index) {
@@ -478,6 +482,7 @@ struct glint_decay_p12_constants {
             128, 133, 139, 145, 152, 158, 165, 172,
             180, 188, 196, 205, 214, 223, 233, 243,
         };
+        GLINT_ROM_VITIS
         return values[index];
     }
     static std::uint16_t fall_slope(unsigned index) {
@@ -515,6 +520,7 @@ struct glint_decay_p12_constants {
             5, 6, 6, 7, 6, 7, 7, 8,
             8, 8, 9, 9, 9, 10, 10, 11,
         };
+        GLINT_ROM_VITIS
         return values[index];
     }
 };

@@ -298,6 +298,7 @@ struct glint_decay_p16_constants {
             134756, 137646, 140640, 143755, 147007, 150420, 154023, 157851,
             161956, 166403, 171290, 176761, 183054, 190593, 200292, 214867,
         };
+        GLINT_ROM_VITIS
         return values[index];
     }
     static std::uint16_t logarithm_slope(unsigned index) {
@@ -559,6 +560,7 @@ struct glint_decay_p16_constants {
             2890, 2994, 3115, 3252, 3413, 3603, 3828, 4105,
             4447, 4887, 5471, 6293, 7539, 9699, 14575, 14575,
         };
+        GLINT_ROM_VITIS
         return values[index];
     }
     static std::uint8_t exponent_octave(unsigned index) {
@@ -692,6 +694,7 @@ struct glint_decay_p16_constants {
             15, 15, 15, 15, 15, 15, 15, 15,
             15, 15, 15, 15, 15, 15, 15, 15,
         };
+        GLINT_ROM_VITIS
         return values[index];
     }
     static std::uint16_t exponent_lambda(unsigned index) {
@@ -825,6 +828,7 @@ struct glint_decay_p16_constants {
             64047, 64140, 64234, 64327, 64421, 64514, 64608, 64701,
             64794, 64887, 64980, 65073, 65165, 65258, 65351, 65443,
         };
+        GLINT_ROM_VITIS
         return values[index];
     }
     static std::uint32_t fall_base(unsigned index) {
@@ -1086,6 +1090,7 @@ struct glint_decay_p16_constants {
             3422, 3459, 3496, 3534, 3572, 3611, 3650, 3689,
             3729, 3770, 3810, 3852, 3893, 3935, 3978, 4021,
         };
+        GLINT_ROM_VITIS
         return values[index];
     }
     static std::uint16_t fall_slope(unsigned index) {
@@ -1347,6 +1352,7 @@ struct glint_decay_p16_constants {
             37, 37, 38, 38, 39, 39, 39, 40,
             41, 40, 42, 41, 42, 43, 43, 43,
         };
+        GLINT_ROM_VITIS
         return values[index];
     }
 };

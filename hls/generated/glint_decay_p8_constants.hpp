@@ -74,6 +74,7 @@ struct glint_decay_p8_constants {
             122, 155, 187, 218, 250, 281, 313, 345,
             378, 412, 447, 485, 527, 575, 634, 716,
         };
+        GLINT_ROM_VITIS
         return values[index];
     }
     static std::uint8_t logarithm_slope(unsigned index) {
@@ -111,6 +112,7 @@ struct glint_decay_p8_constants {
             33, 32, 31, 32, 31, 32, 32, 33,
             34, 35, 38, 42, 48, 59, 63, 63,
         };
+        GLINT_ROM_VITIS
         return values[index];
     }
     static std::uint8_t exponent_octave(unsigned index) {
@@ -244,6 +246,7 @@ struct glint_decay_p8_constants {
             15, 15, 15, 15, 15, 15, 15, 15,
             15, 15, 15, 15, 15, 15, 15, 15,
         };
+        GLINT_ROM_VITIS
         return values[index];
     }
     static std::uint8_t exponent_lambda(unsigned index) {
@@ -377,6 +380,7 @@ struct glint_decay_p8_constants {
             250, 250, 250, 251, 251, 252, 252, 252,
             253, 253, 253, 254, 254, 254, 255, 255,
         };
+        GLINT_ROM_VITIS
         return values[index];
     }
     static std::uint16_t fall_base(unsigned index) {
@@ -414,6 +418,7 @@ struct glint_decay_p8_constants {
             8, 8, 9, 9, 9, 10, 10, 11,
             11, 12, 12, 13, 13, 14, 15, 15,
         };
+        GLINT_ROM_VITIS
         return values[index];
     }
     static std::uint8_t fall_slope(unsigned index) {
@@ -451,6 +456,7 @@ struct glint_decay_p8_constants {
             0, 1, 0, 0, 1, 0, 1, 0,
             1, 0, 1, 0, 1, 1, 0, 1,
         };
+        GLINT_ROM_VITIS
         return values[index];
     }
 };

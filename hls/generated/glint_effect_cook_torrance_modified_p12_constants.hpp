@@ -34,6 +34,7 @@ struct glint_effect_cook_torrance_modified_p12_constants {
             1226755, 1289140, 1350264, 1410178, 1468929, 1526560, 1583114, 1638630,
             1693146, 1746697, 1799317, 1851037, 1901887, 1951898, 2001095, 2049505,
         };
+        GLINT_ROM_VITIS
         return values[index];
     }
     static std::uint32_t log2_c1(unsigned index) {
@@ -43,6 +44,7 @@ struct glint_effect_cook_torrance_modified_p12_constants {
             63028, 61741, 60507, 59321, 58180, 57083, 56025, 55007,
             54025, 53078, 52162, 51277, 50424, 49597, 48797, 48022,
         };
+        GLINT_ROM_VITIS
         return values[index];
     }
     static std::int16_t log2_c2(unsigned index) {
@@ -52,24 +54,28 @@ struct glint_effect_cook_torrance_modified_p12_constants {
             -643, -617, -593, -570, -549, -529, -509, -491,
             -474, -458, -442, -427, -413, -400, -387, -375,
         };
+        GLINT_ROM_VITIS
         return values[index];
     }
     static std::uint32_t exp2_c0(unsigned index) {
         static const std::uint32_t values[] = {
             65536, 60097, 55109, 50535, 46341, 42495, 38968, 35734,
         };
+        GLINT_ROM_VITIS
         return values[index];
     }
     static std::int16_t exp2_c1(unsigned index) {
         static const std::int16_t values[] = {
             -22698, -20816, -19088, -17503, -16050, -14719, -13496, -12378,
         };
+        GLINT_ROM_VITIS
         return values[index];
     }
     static std::uint16_t exp2_c2(unsigned index) {
         static const std::uint16_t values[] = {
             942, 864, 792, 727, 666, 611, 560, 514,
         };
+        GLINT_ROM_VITIS
         return values[index];
     }
 };

@@ -38,6 +38,7 @@ struct glint_effect_cook_torrance_modified_p16_constants {
             27090336, 27520639, 27947151, 28369938, 28789065, 29204594, 29616586, 30025102,
             30430199, 30831934, 31230363, 31625539, 32017515, 32406343, 32792073, 33174753,
         };
+        GLINT_ROM_VITIS
         return values[index];
     }
     static std::uint32_t log2_c1(unsigned index) {
@@ -51,6 +52,7 @@ struct glint_effect_cook_torrance_modified_p16_constants {
             432215, 428391, 424633, 420941, 417312, 413745, 410240, 406792,
             403402, 400069, 396789, 393563, 390390, 387267, 384193, 381168,
         };
+        GLINT_ROM_VITIS
         return values[index];
     }
     static std::int16_t log2_c2(unsigned index) {
@@ -64,6 +66,7 @@ struct glint_effect_cook_torrance_modified_p16_constants {
             -1912, -1879, -1846, -1814, -1783, -1753, -1724, -1695,
             -1667, -1640, -1613, -1587, -1562, -1537, -1513, -1489,
         };
+        GLINT_ROM_VITIS
         return values[index];
     }
     static std::uint32_t exp2_c0(unsigned index) {
@@ -71,6 +74,7 @@ struct glint_effect_cook_torrance_modified_p16_constants {
             1048576, 1004120, 961548, 920782, 881744, 844361, 808563, 774282,
             741455, 710020, 679917, 651091, 623487, 597053, 571740, 547500,
         };
+        GLINT_ROM_VITIS
         return values[index];
     }
     static std::int32_t exp2_c1(unsigned index) {
@@ -78,6 +82,7 @@ struct glint_effect_cook_torrance_modified_p16_constants {
             -181676, -173976, -166596, -159534, -152771, -146294, -140094, -134152,
             -128464, -123020, -117802, -112808, -108026, -103445, -99060, -94859,
         };
+        GLINT_ROM_VITIS
         return values[index];
     }
     static std::uint16_t exp2_c2(unsigned index) {
@@ -85,6 +90,7 @@ struct glint_effect_cook_torrance_modified_p16_constants {
             3852, 3688, 3532, 3382, 3239, 3102, 2970, 2844,
             2724, 2608, 2498, 2392, 2290, 2193, 2100, 2011,
         };
+        GLINT_ROM_VITIS
         return values[index];
     }
 };

@@ -32,6 +32,7 @@ struct glint_effect_cook_torrance_modified_p8_constants {
             0, 11464, 22272, 32496, 42196, 51422, 60219, 68624,
             76672, 84392, 91808, 98945, 105822, 112457, 118868, 125068,
         };
+        GLINT_ROM_VITIS
         return values[index];
     }
     static std::uint16_t log2_c1(unsigned index) {
@@ -39,6 +40,7 @@ struct glint_effect_cook_torrance_modified_p8_constants {
             11811, 11117, 10500, 9949, 9451, 9002, 8592, 8219,
             7878, 7561, 7272, 7002, 6751, 6520, 6302, 6099,
         };
+        GLINT_ROM_VITIS
         return values[index];
     }
     static std::int16_t log2_c2(unsigned index) {
@@ -46,24 +48,28 @@ struct glint_effect_cook_torrance_modified_p8_constants {
             -347, -309, -276, -249, -225, -205, -187, -171,
             -158, -145, -135, -125, -116, -109, -102, -95,
         };
+        GLINT_ROM_VITIS
         return values[index];
     }
     static std::uint16_t exp2_c0(unsigned index) {
         static const std::uint16_t values[] = {
             4096, 3444, 2896, 2435,
         };
+        GLINT_ROM_VITIS
         return values[index];
     }
     static std::int16_t exp2_c1(unsigned index) {
         static const std::int16_t values[] = {
             -2834, -2382, -2004, -1682,
         };
+        GLINT_ROM_VITIS
         return values[index];
     }
     static std::uint8_t exp2_c2(unsigned index) {
         static const std::uint8_t values[] = {
             226, 190, 160, 134,
         };
+        GLINT_ROM_VITIS
         return values[index];
     }
 };

@@ -32,6 +32,7 @@ struct glint_effect_ward_p12_constants {
             0, 45856, 89090, 129985, 168783, 205687, 240874, 274497,
             306689, 337566, 367232, 395778, 423286, 449829, 475472, 500274,
         };
+        GLINT_ROM_VITIS
         return values[index];
     }
     static std::uint16_t log2_c1(unsigned index) {
@@ -39,6 +40,7 @@ struct glint_effect_ward_p12_constants {
             47246, 44469, 42000, 39793, 37804, 36005, 34370, 32877,
             31507, 30248, 29085, 28008, 27009, 26078, 25209, 24395,
         };
+        GLINT_ROM_VITIS
         return values[index];
     }
     static std::int16_t log2_c2(unsigned index) {
@@ -46,24 +48,28 @@ struct glint_effect_ward_p12_constants {
             -1390, -1235, -1105, -995, -900, -818, -747, -685,
             -630, -582, -539, -500, -466, -435, -407, -381,
         };
+        GLINT_ROM_VITIS
         return values[index];
     }
     static std::uint32_t exp2_c0(unsigned index) {
         static const std::uint32_t values[] = {
             65536, 60097, 55109, 50535, 46341, 42495, 38968, 35734,
         };
+        GLINT_ROM_VITIS
         return values[index];
     }
     static std::int16_t exp2_c1(unsigned index) {
         static const std::int16_t values[] = {
             -22698, -20816, -19088, -17503, -16050, -14719, -13496, -12378,
         };
+        GLINT_ROM_VITIS
         return values[index];
     }
     static std::uint16_t exp2_c2(unsigned index) {
         static const std::uint16_t values[] = {
             942, 864, 792, 727, 666, 611, 560, 514,
         };
+        GLINT_ROM_VITIS
         return values[index];
     }
 };

@@ -34,6 +34,7 @@ struct glint_effect_ward_p16_constants {
             1226755, 1289140, 1350264, 1410178, 1468929, 1526560, 1583114, 1638630,
             1693146, 1746697, 1799317, 1851037, 1901887, 1951898, 2001095, 2049505,
         };
+        GLINT_ROM_VITIS
         return values[index];
     }
     static std::uint32_t log2_c1(unsigned index) {
@@ -43,6 +44,7 @@ struct glint_effect_ward_p16_constants {
             63028, 61741, 60507, 59321, 58180, 57083, 56025, 55007,
             54025, 53078, 52162, 51277, 50424, 49597, 48797, 48022,
         };
+        GLINT_ROM_VITIS
         return values[index];
     }
     static std::int16_t log2_c2(unsigned index) {
@@ -52,6 +54,7 @@ struct glint_effect_ward_p16_constants {
             -643, -617, -593, -570, -549, -529, -509, -491,
             -474, -458, -442, -427, -413, -400, -387, -375,
         };
+        GLINT_ROM_VITIS
         return values[index];
     }
     static std::uint32_t exp2_c0(unsigned index) {
@@ -59,6 +62,7 @@ struct glint_effect_ward_p16_constants {
             1048576, 1004120, 961548, 920782, 881744, 844361, 808563, 774282,
             741455, 710020, 679917, 651091, 623487, 597053, 571740, 547500,
         };
+        GLINT_ROM_VITIS
         return values[index];
     }
     static std::int32_t exp2_c1(unsigned index) {
@@ -66,6 +70,7 @@ struct glint_effect_ward_p16_constants {
             -181676, -173976, -166596, -159534, -152771, -146294, -140094, -134152,
             -128464, -123020, -117802, -112808, -108026, -103445, -99060, -94859,
         };
+        GLINT_ROM_VITIS
         return values[index];
     }
     static std::uint16_t exp2_c2(unsigned index) {
@@ -73,6 +78,7 @@ struct glint_effect_ward_p16_constants {
             3852, 3688, 3532, 3382, 3239, 3102, 2970, 2844,
             2724, 2608, 2498, 2392, 2290, 2193, 2100, 2011,
         };
+        GLINT_ROM_VITIS
         return values[index];
     }
 };

@@ -34,6 +34,7 @@ struct glint_gauss_p12_constants {
             26543102, 28384950, 30252571, 32146861, 34068764, 36019282, 37999475, 40010469,
             42053461, 44129724, 46240616, 48387585, 50572182, 52796069, 55061027, 57368975,
         };
+        GLINT_ROM_VITIS
         return values[index];
     }
     static std::uint32_t angle_c1(unsigned index) {
@@ -43,6 +44,7 @@ struct glint_gauss_p12_constants {
             1829177, 1854515, 1880725, 1907851, 1935951, 1965080, 1995301, 2026682,
             2059296, 2093224, 2128552, 2165379, 2203809, 2243956, 2285951, 2329934,
         };
+        GLINT_ROM_VITIS
         return values[index];
     }
     static std::uint16_t angle_c2(unsigned index) {
@@ -52,24 +54,28 @@ struct glint_gauss_p12_constants {
             12671, 13106, 13565, 14052, 14567, 15113, 15693, 16310,
             16967, 17668, 18417, 19218, 20078, 21002, 21997, 23070,
         };
+        GLINT_ROM_VITIS
         return values[index];
     }
     static std::uint32_t exp2_c0(unsigned index) {
         static const std::uint32_t values[] = {
             65536, 60097, 55109, 50535, 46341, 42495, 38968, 35734,
         };
+        GLINT_ROM_VITIS
         return values[index];
     }
     static std::int16_t exp2_c1(unsigned index) {
         static const std::int16_t values[] = {
             -22698, -20816, -19088, -17503, -16050, -14719, -13496, -12378,
         };
+        GLINT_ROM_VITIS
         return values[index];
     }
     static std::uint16_t exp2_c2(unsigned index) {
         static const std::uint16_t values[] = {
             942, 864, 792, 727, 666, 611, 560, 514,
         };
+        GLINT_ROM_VITIS
         return values[index];
     }
 };

@@ -38,6 +38,7 @@ struct glint_gauss_p16_constants {
             672855378, 689397615, 706075585, 722892046, 739849848, 756951937, 774201359, 791601266,
             809154919, 826865698, 844737101, 862772759, 880976432, 899352026, 917903594, 936635347,
         };
+        GLINT_ROM_VITIS
         return values[index];
     }
     static std::uint32_t angle_c1(unsigned index) {
@@ -51,6 +52,7 @@ struct glint_gauss_p16_constants {
             16475046, 16609422, 16746512, 16886404, 17029194, 17174978, 17323860, 17475946,
             17631353, 17790196, 17952604, 18118702, 18288635, 18462543, 18640583, 18822913,
         };
+        GLINT_ROM_VITIS
         return values[index];
     }
     static std::uint32_t angle_c2(unsigned index) {
@@ -64,6 +66,7 @@ struct glint_gauss_p16_constants {
             67191, 68548, 69949, 71398, 72895, 74444, 76047, 77707,
             79426, 81207, 83054, 84971, 86959, 89025, 91170, 93401,
         };
+        GLINT_ROM_VITIS
         return values[index];
     }
     static std::uint32_t exp2_c0(unsigned index) {
@@ -71,6 +74,7 @@ struct glint_gauss_p16_constants {
             1048576, 1004120, 961548, 920782, 881744, 844361, 808563, 774282,
             741455, 710020, 679917, 651091, 623487, 597053, 571740, 547500,
         };
+        GLINT_ROM_VITIS
         return values[index];
     }
     static std::int32_t exp2_c1(unsigned index) {
@@ -78,6 +82,7 @@ struct glint_gauss_p16_constants {
             -181676, -173976, -166596, -159534, -152771, -146294, -140094, -134152,
             -128464, -123020, -117802, -112808, -108026, -103445, -99060, -94859,
         };
+        GLINT_ROM_VITIS
         return values[index];
     }
     static std::uint16_t exp2_c2(unsigned index) {
@@ -85,6 +90,7 @@ struct glint_gauss_p16_constants {
             3852, 3688, 3532, 3382, 3239, 3102, 2970, 2844,
             2724, 2608, 2498, 2392, 2290, 2193, 2100, 2011,
         };
+        GLINT_ROM_VITIS
         return values[index];
     }
 };

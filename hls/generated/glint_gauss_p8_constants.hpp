@@ -32,6 +32,7 @@ struct glint_gauss_p8_constants {
             0, 191100, 386347, 585962, 790190, 999296, 1213572, 1433336,
             1658944, 1890786, 2129298, 2374967, 2628341, 2890038, 3160761, 3441314,
         };
+        GLINT_ROM_VITIS
         return values[index];
     }
     static std::uint32_t angle_c1(unsigned index) {
@@ -39,6 +40,7 @@ struct glint_gauss_p8_constants {
             189080, 193120, 197372, 201858, 206597, 211614, 216934, 222593,
             228620, 235060, 241960, 249374, 257368, 266019, 275419, 285678,
         };
+        GLINT_ROM_VITIS
         return values[index];
     }
     static std::uint16_t angle_c2(unsigned index) {
@@ -46,24 +48,28 @@ struct glint_gauss_p8_constants {
             2020, 2127, 2243, 2370, 2509, 2662, 2830, 3015,
             3222, 3452, 3709, 4000, 4329, 4704, 5134, 5632,
         };
+        GLINT_ROM_VITIS
         return values[index];
     }
     static std::uint16_t exp2_c0(unsigned index) {
         static const std::uint16_t values[] = {
             4096, 3444, 2896, 2435,
         };
+        GLINT_ROM_VITIS
         return values[index];
     }
     static std::int16_t exp2_c1(unsigned index) {
         static const std::int16_t values[] = {
             -2834, -2382, -2004, -1682,
         };
+        GLINT_ROM_VITIS
         return values[index];
     }
     static std::uint8_t exp2_c2(unsigned index) {
         static const std::uint8_t values[] = {
             226, 190, 160, 134,
         };
+        GLINT_ROM_VITIS
         return values[index];
     }
 };

@@ -34,18 +34,21 @@ struct glint_spherical_gaussian_p12_constants {
         static const std::uint32_t values[] = {
             65536, 60097, 55109, 50535, 46341, 42495, 38968, 35734,
         };
+        GLINT_ROM_VITIS
         return values[index];
     }
     static std::int16_t exp2_c1(unsigned index) {
         static const std::int16_t values[] = {
             -22698, -20816, -19088, -17503, -16050, -14719, -13496, -12378,
         };
+        GLINT_ROM_VITIS
         return values[index];
     }
     static std::uint16_t exp2_c2(unsigned index) {
         static const std::uint16_t values[] = {
             942, 864, 792, 727, 666, 611, 560, 514,
         };
+        GLINT_ROM_VITIS
         return values[index];
     }
 };

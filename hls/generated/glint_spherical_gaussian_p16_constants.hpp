@@ -35,6 +35,7 @@ struct glint_spherical_gaussian_p16_constants {
             1048576, 1004120, 961548, 920782, 881744, 844361, 808563, 774282,
             741455, 710020, 679917, 651091, 623487, 597053, 571740, 547500,
         };
+        GLINT_ROM_VITIS
         return values[index];
     }
     static std::int32_t exp2_c1(unsigned index) {
@@ -42,6 +43,7 @@ struct glint_spherical_gaussian_p16_constants {
             -181676, -173976, -166596, -159534, -152771, -146294, -140094, -134152,
             -128464, -123020, -117802, -112808, -108026, -103445, -99060, -94859,
         };
+        GLINT_ROM_VITIS
         return values[index];
     }
     static std::uint16_t exp2_c2(unsigned index) {
@@ -49,6 +51,7 @@ struct glint_spherical_gaussian_p16_constants {
             3852, 3688, 3532, 3382, 3239, 3102, 2970, 2844,
             2724, 2608, 2498, 2392, 2290, 2193, 2100, 2011,
         };
+        GLINT_ROM_VITIS
         return values[index];
     }
 };

@@ -34,18 +34,21 @@ struct glint_spherical_gaussian_p8_constants {
         static const std::uint16_t values[] = {
             4096, 3444, 2896, 2435,
         };
+        GLINT_ROM_VITIS
         return values[index];
     }
     static std::int16_t exp2_c1(unsigned index) {
         static const std::int16_t values[] = {
             -2834, -2382, -2004, -1682,
         };
+        GLINT_ROM_VITIS
         return values[index];
     }
     static std::uint8_t exp2_c2(unsigned index) {
         static const std::uint8_t values[] = {
             226, 190, 160, 134,
         };
+        GLINT_ROM_VITIS
         return values[index];
     }
 };

@@ -34,7 +34,7 @@ std::uint32_t taylor(uint<10> n, sint<Constants::F + 2> cos_code) {
     constexpr int sum_w = 2 * F + 4;  // the sum is at most 13 2^(2F)
 
     const Corrected<F> in = correct<F>(n, cos_code);
-    const uint<sum_w> square_d = product_u<sum_w>(in.distance, in.distance);
+    const uint<sum_w> square_d = square_of_fraction<F>(in.distance);
     const uint<sum_w> five_squares = to_uint<sum_w>(to_uint<sum_w>(square_d << 2) + square_d);
     const uint<sum_w> sum_e = to_uint<sum_w>(to_uint<sum_w>(to_uint<sum_w>(in.distance) << (F + 3)) + five_squares);
     const uint<E + 1> e = to_uint<E + 1>(rnd<2 * F + 3 - E>(sum_e));  // at most 1.625 2^E

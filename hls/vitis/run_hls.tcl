@@ -5,14 +5,13 @@
 #
 # C simulation, synthesis, cosimulation of the RTL and export, each with the same test bench and vectors; the first
 # failure ends it with exit status 1. The environment chooses:
-#   GLINT_LOBE bps (default), cayley, ...     GLINT_PROFILE p8, p12 (default), p16
+#   GLINT_KERNEL bps (default), cayley, effect_ward, ...     GLINT_PROFILE p8, p12 (default), p16
 #   GLINT_PART xc7a35tcpg236-1     GLINT_PERIOD clock period in ns, 5
 
 proc choice {name default} { return [expr {[info exists ::env($name)] ? $::env($name) : $default}] }
 
 set hls [file dirname [file dirname [file normalize [info script]]]]
-set lobe [choice GLINT_LOBE bps]
-set top glint_${lobe}_[choice GLINT_PROFILE p12]
+set top glint_[choice GLINT_KERNEL bps]_[choice GLINT_PROFILE p12]
 set vectors [file join $hls vectors $top.tv]
 if {![file readable $vectors]} {
     puts stderr "run_hls.tcl: cannot read '$vectors': write it with `glint vectors --format tv`"

@@ -57,8 +57,58 @@ void Worst::merge(const Worst& other) {
     if (std::tuple(-other.value, other.n, other.cos_code) < std::tuple(-value, n, cos_code)) *this = other;
 }
 
-double Accuracy::rounding_rms() const { return std::sqrt(rounding_squares / static_cast<double>(inputs)); }
-double Accuracy::approximation_rms() const { return std::sqrt(approximation_squares / static_cast<double>(inputs)); }
+ExactSum& ExactSum::operator+=(double term) {
+    if (!(term > 0.0)) return *this;
+    int exponent = 0;
+    auto mantissa = static_cast<std::uint64_t>(std::ldexp(std::frexp(std::min(term, 0x1p80), &exponent), 53));
+    int place = exponent - 53 + 128;
+    if (place < 0) {
+        mantissa = place > -64 ? mantissa >> -place : 0;
+        place = 0;
+    }
+    const auto word = static_cast<std::size_t>(place / 64);
+    const int bit = place % 64;
+    ExactSum wide;
+    wide.words[word] = mantissa << bit;
+    if (bit > 0) wide.words[word + 1] = mantissa >> (64 - bit);
+    return *this += wide;
+}
+
+ExactSum& ExactSum::operator+=(const ExactSum& other) {
+    std::uint64_t carry = 0;
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        const std::uint64_t sum = words[i] + other.words[i];
+        const std::uint64_t with_carry = sum + carry;
+        carry = (sum < words[i] || with_carry < sum) ? 1 : 0;
+        words[i] = with_carry;
+    }
+    return *this;
+}
+
+double ExactSum::value() const {
+    double out = 0.0;
+    for (std::size_t i = words.size(); i-- > 0;) {
+        out += std::ldexp(static_cast<double>(words[i]), 64 * static_cast<int>(i) - 128);
+    }
+    return out;
+}
+
+ExactSum::Halves ExactSum::halves() const {
+    Halves out{};
+    for (std::size_t i = 0; i < out.size(); ++i) out[i] = static_cast<std::uint32_t>(words[i / 2] >> (i % 2 * 32));
+    return out;
+}
+
+ExactSum ExactSum::of(const Halves& halves) {
+    ExactSum out;
+    for (std::size_t i = 0; i < halves.size(); ++i) out.words[i / 2] |= std::uint64_t{halves[i]} << (i % 2 * 32);
+    return out;
+}
+
+double Accuracy::rounding_rms() const { return std::sqrt(rounding_squares.value() / static_cast<double>(inputs)); }
+double Accuracy::approximation_rms() const {
+    return std::sqrt(approximation_squares.value() / static_cast<double>(inputs));
+}
 
 void Accuracy::merge(const Accuracy& other) {
     inputs += other.inputs;

@@ -30,4 +30,25 @@ Range parse_range(std::string_view text, std::string_view what, std::int64_t low
     return out;
 }
 
+void Shard::check(std::uint64_t tasks) const {
+    if (count > tasks) {
+        throw Error(fmt::format("--shard {}/{} is not legal: this run has {} parts at most", index, count, tasks));
+    }
+}
+
+Shard parse_shard(std::string_view text) {
+    constexpr std::uint64_t most = 1'000'000;
+    Shard out;
+    const char* const end = text.data() + text.size();
+    const auto index = std::from_chars(text.data(), end, out.index);
+    if (index.ec == std::errc{} && index.ptr != end && *index.ptr == '/') {
+        const auto count = std::from_chars(index.ptr + 1, end, out.count);
+        if (count.ec == std::errc{} && count.ptr == end && out.index >= 1 && out.index <= out.count &&
+            out.count <= most) {
+            return out;
+        }
+    }
+    throw Error(fmt::format("--shard '{}' is not legal: i/N with 1 <= i <= N <= {}", text, most));
+}
+
 }  // namespace glint

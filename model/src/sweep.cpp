@@ -25,34 +25,42 @@ std::vector<std::int32_t> SweepPlan::codes(std::size_t task) const {
     return out;
 }
 
-SweepResult SweepPlan::merge(const std::vector<std::vector<Accuracy>>& by_task) const {
+std::vector<Accuracy>& SweepPlan::part() {
+    const std::lock_guard lock(mutex_);
+    return parts_.emplace_back(n_.size());
+}
+
+SweepResult SweepPlan::result() const {
     SweepResult out;
     for (std::size_t i = 0; i < n_.size(); ++i) {
         AccuracyRow row{n_[i], {}};
-        for (const auto& task : by_task) row.accuracy.merge(task[i]);
+        for (const auto& part : parts_) row.accuracy.merge(part[i]);
         out.total.merge(row.accuracy);
         out.rows.push_back(row);
     }
     return out;
 }
 
-SweepResult sweep(const GoldenModel& model, Range n, Range cos_code, unsigned threads, const Progress& progress) {
-    const SweepPlan plan(n, cos_code);
-    std::vector<std::vector<Accuracy>> by_task(plan.tasks(), std::vector<Accuracy>(plan.n().size()));
-    parallel_tasks(plan.tasks(), threads, progress, [&] {
-        return [&](std::size_t task) {
-            const std::vector<std::int32_t> codes = plan.codes(task);
+SweepResult sweep(const GoldenModel& model, Range n, Range cos_code, unsigned threads, const Progress& progress,
+                  Shard shard) {
+    SweepPlan plan(n, cos_code);
+    shard.check(plan.tasks());
+    const auto first = static_cast<std::size_t>(shard.first(plan.tasks()));
+    const auto count = static_cast<std::size_t>(shard.end(plan.tasks())) - first;
+    parallel_tasks(count, threads, progress, [&] {
+        return [&, &part = plan.part()](std::size_t task) {
+            const std::vector<std::int32_t> codes = plan.codes(first + task);
             std::vector<std::uint16_t> exponents(codes.size());
             std::vector<std::uint32_t> packed(codes.size());
             AccuracyMeter meter(model, codes);
             for (std::size_t i = 0; i < plan.n().size(); ++i) {
                 exponents.assign(codes.size(), static_cast<std::uint16_t>(plan.n()[i]));
                 model.eval_port_batch(exponents, codes, packed);
-                meter.add(plan.n()[i], packed, by_task[task][i]);
+                meter.add(plan.n()[i], packed, part[i]);
             }
         };
     });
-    return plan.merge(by_task);
+    return plan.result();
 }
 
 }  // namespace glint

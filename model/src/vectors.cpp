@@ -6,6 +6,7 @@
 #include <set>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "glint/error.hpp"
 
@@ -75,6 +76,64 @@ std::vector<TestVector> make_vectors(const GoldenModel& model, std::size_t count
     return out;
 }
 
+std::vector<std::int64_t> corner_codes(const EffectPort& port) {
+    const std::int64_t one = std::int64_t{1} << port.fraction_bits;
+    std::vector<std::int64_t> codes{
+        port.least(), port.low - 1, port.low,      -one,           -1, 0, 1, one / 64 + 1, one / 2, one - 1,
+        one,          port.high,    port.high + 1, port.greatest()};
+    if (port.fraction_bits == 0) codes.push_back((port.low + port.high) / 20);
+    std::sort(codes.begin(), codes.end());
+    codes.erase(std::unique(codes.begin(), codes.end()), codes.end());
+    std::erase_if(codes, [&](std::int64_t code) { return code < port.least() || code > port.greatest(); });
+    return codes;
+}
+
+std::int64_t random_legal_code(const EffectPort& port, Random& random) {
+    const auto kind = random.between(0, 3);
+    if (kind < 2) return random.between(port.low, port.high);
+    const std::int64_t distance = random.between(0, (std::int64_t{1} << random.between(0, port.bits)) - 1);
+    if (kind == 3) return std::clamp(port.high - distance, port.low, port.high);
+    const bool negative = port.low < 0 && random.between(0, 1) == 1;
+    return std::clamp(negative ? -distance : distance, port.low, port.high);
+}
+
+std::vector<EffectVector> corner_vectors(const Effect& effect, const EffectModel& model, std::uint64_t seed) {
+    Random random(seed);
+    std::vector<EffectVector> out;
+    for (const EffectCase& hard : effect.hard_cases(model)) out.push_back({hard.in, model.eval_port(hard.in)});
+    const auto ports = model.inputs();
+    std::vector<std::int64_t> in(ports.size());
+    for (std::size_t chosen = 0; chosen < ports.size(); ++chosen) {
+        for (const std::int64_t code : corner_codes(ports[chosen])) {
+            for (std::size_t p = 0; p < ports.size(); ++p) {
+                in[p] = p == chosen ? code : random_legal_code(ports[p], random);
+            }
+            out.push_back({in, model.eval_port(in)});
+        }
+    }
+    return out;
+}
+
+std::vector<EffectVector> make_vectors(const Effect& effect, const EffectModel& model, std::size_t count,
+                                       std::uint64_t seed) {
+    std::vector<EffectVector> out = corner_vectors(effect, model, seed);
+    if (count < out.size()) {
+        throw Error(
+            fmt::format("count {} is not legal: at least {}, the hard cases and corner codes", count, out.size()));
+    }
+    Random random(~seed);
+    std::vector<std::int64_t> in;
+    while (out.size() < count) {
+        in.clear();
+        for (const EffectPort& port : model.inputs()) {
+            const bool any = random.between(0, 7) == 0;
+            in.push_back(any ? random.between(port.least(), port.greatest()) : random_legal_code(port, random));
+        }
+        out.push_back({in, model.eval_port(in)});
+    }
+    return out;
+}
+
 VectorFormat parse_vector_format(std::string_view text) {
     if (text == "tv") return VectorFormat::tv;
     if (text == "csv") return VectorFormat::csv;
@@ -98,6 +157,34 @@ std::string format_vectors(const std::vector<TestVector>& vectors, VectorFormat 
             case VectorFormat::hex:  // {cos[31:0], 6'b0, n[9:0], 15'b0, clamped, y[31:0]}
                 fmt::format_to(to, "{:08x}{:04x}{:04x}{:08x}\n", static_cast<std::uint32_t>(v.cos_code), v.n, clamped,
                                v.expected.y);
+                break;
+        }
+    }
+    return fmt::to_string(out);
+}
+
+std::string format_vectors(const EffectModel& model, const std::vector<EffectVector>& vectors, VectorFormat format) {
+    fmt::memory_buffer out;
+    const auto to = std::back_inserter(out);
+    if (format == VectorFormat::csv) {
+        for (const EffectPort& port : model.inputs()) fmt::format_to(to, "{},", port.name);
+        for (const EffectPort& port : model.outputs()) fmt::format_to(to, "{},", port.name);
+        fmt::format_to(to, "clamped\n");
+    }
+    for (const EffectVector& v : vectors) {
+        std::vector<std::int64_t> row = v.in;
+        row.insert(row.end(), v.expected.values.begin(), v.expected.values.end());
+        row.push_back(v.expected.clamped ? 1 : 0);
+        switch (format) {
+            case VectorFormat::tv:
+                fmt::format_to(to, "{}\n", fmt::join(row, " "));
+                break;
+            case VectorFormat::csv:
+                fmt::format_to(to, "{}\n", fmt::join(row, ","));
+                break;
+            case VectorFormat::hex:  // 32 bits a field, the first one on top
+                for (const std::int64_t field : row) fmt::format_to(to, "{:08x}", static_cast<std::uint32_t>(field));
+                fmt::format_to(to, "\n");
                 break;
         }
     }

@@ -1,10 +1,13 @@
-# cmake -DGLINT=.. -DTESTBENCH=.. -DLOBE=.. -DPROFILE=.. -DFOLDER=.. -P check_testbench.cmake
+# cmake -DGLINT=.. -DTESTBENCH=.. -DUNIT=lobe|effect -DNAME=.. -DPROFILE=.. -DFOLDER=.. -P check_testbench.cmake
 # The C test bench passes on the vectors of the tool, and fails on everything that it should fail on.
-set(top glint_${LOBE}_${PROFILE})
+set(top glint_${NAME}_${PROFILE})
+if(UNIT STREQUAL "effect")
+  set(top glint_effect_${NAME}_${PROFILE})
+endif()
 set(good ${FOLDER}/${top}.tv)
-set(file ${FOLDER}/${LOBE}_${PROFILE}_edited.tv)
+set(file ${FOLDER}/${top}_edited.tv)
 file(REMOVE ${good} ${file})
-execute_process(COMMAND ${GLINT} vectors --lobe ${LOBE} --profile ${PROFILE} --count 10000 --seed 1 --format tv -o ${FOLDER}
+execute_process(COMMAND ${GLINT} vectors --${UNIT} ${NAME} --profile ${PROFILE} --count 10000 --seed 1 --format tv -o ${FOLDER}
   COMMAND_ERROR_IS_FATAL ANY)
 
 # expect(STATUS REGEX ARGUMENT...): the exit status, and what standard output or standard error must say.
@@ -28,7 +31,7 @@ expect(0 "10000 vectors, 0 mismatches" ${top})  # the default file
 # One number of line 5000 changed: y by one, then clamped.
 file(STRINGS ${good} lines)
 list(GET lines 4999 line)
-if(NOT line MATCHES "^([0-9]+ -?[0-9]+) ([0-9]+) ([01])$")
+if(NOT line MATCHES "^([-0-9 ]+) ([0-9]+) ([01])$")
   message(FATAL_ERROR "${good}:5000: '${line}' is not a vector")
 endif()
 set(input "${CMAKE_MATCH_1}")
@@ -40,12 +43,16 @@ foreach(edited "${input} ${other_y} ${CMAKE_MATCH_3}" "${input} ${CMAKE_MATCH_2}
   list(INSERT changed 4999 "${edited}")
   list(JOIN changed "\n" text)
   file(WRITE ${file} "${text}\n")
-  expect(1 "line 5000: n = .*10000 vectors, 1 mismatches" ${top} ${file})
+  expect(1 "line 5000: .*: got .*10000 vectors, 1 mismatches" ${top} ${file})
 endforeach()
 
 # Malformed lines, each after a good one.
-foreach(bad "" "1" "1 2 3" "1 0 0 0 0" "1 0 0 2" "1 0 -1 0" "1024 0 0 0" "-1 0 0 0" "1 4294967296 0 0" "n cos_code y clamped"
-    "1,0,0,0" "1 0x10 0 0" "1 0.5 0 0" "1 0 0 0 end")
+set(all_bad "" "1" "1 2 3" "${line} 0" "${input} ${CMAKE_MATCH_2} 2" "n cos_code y clamped" "1,0,0,0" "${input} 0x10 0" "${input} 0.5 0"
+  "${line} end" "${input} 4294967296 0")
+if(UNIT STREQUAL "lobe")
+  list(APPEND all_bad "65536 0 0 0" "-1 0 0 0" "1 4294967296 0 0")
+endif()
+foreach(bad IN LISTS all_bad)
   file(WRITE ${file} "${line}\n${bad}\n")
   expect(2 ":2: '${bad}' is not a vector" ${top} ${file})
 endforeach()

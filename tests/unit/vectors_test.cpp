@@ -63,3 +63,40 @@ TEST_CASE("the three formats say the same") {
     }
     CHECK_THROWS_AS(parse_vector_format("bin"), Error);
 }
+
+TEST_CASE("vectors of an effect start with its corners; the three formats say the same") {
+    const Effect& effect = find_effect("tint");
+    const auto model = effect.golden(parse_profile("p12"), "bps");
+    const auto corners = corner_vectors(effect, *model, 3);
+    CHECK_THROWS_AS(make_vectors(effect, *model, corners.size() - 1, 3), Error);
+    const auto vectors = make_vectors(effect, *model, corners.size() + 2000, 3);
+    std::istringstream tv(format_vectors(*model, vectors, VectorFormat::tv));
+    std::istringstream csv(format_vectors(*model, vectors, VectorFormat::csv));
+    std::istringstream hex(format_vectors(*model, vectors, VectorFormat::hex));
+    std::string line;
+    std::getline(csv, line);
+    CHECK(line == "s,k_r,k_g,k_b,i_r,i_g,i_b,r,g,b,clamped");
+    std::size_t clamped = 0;
+    for (std::size_t i = 0; i < vectors.size(); ++i) {
+        const EffectVector& v = vectors[i];
+        if (i < corners.size()) CHECK(v.in == corners[i].in);
+        CHECK(v.expected == model->eval_port(v.in));
+        clamped += v.expected.clamped ? 1 : 0;
+        std::vector<std::int64_t> fields = v.in;
+        fields.insert(fields.end(), v.expected.values.begin(), v.expected.values.end());
+        fields.push_back(v.expected.clamped ? 1 : 0);
+        std::getline(hex, line);
+        REQUIRE(line.size() == 8 * fields.size());
+        for (std::size_t f = 0; f < fields.size(); ++f) {
+            std::int64_t value = -1;
+            tv >> value;
+            CHECK(value == fields[f]);
+            csv >> value;
+            CHECK(value == fields[f]);
+            csv.get();  // comma or line feed
+            CHECK(std::stoul(line.substr(8 * f, 8), nullptr, 16) == static_cast<std::uint32_t>(fields[f]));
+        }
+    }
+    CHECK(clamped > 100);
+    CHECK(clamped < vectors.size());
+}

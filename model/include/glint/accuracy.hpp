@@ -1,6 +1,7 @@
 // How far fixed-point results are from the real functions. Definitions: docs/contract.md, section "Errors".
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -19,15 +20,30 @@ struct Worst {
     void merge(const Worst& other);
 };
 
+/// A sum that does not depend on the order of its terms, so that parts of a run add up to the run: a multiple of 2^-128
+/// below 2^128, the low word first. Terms are cut to 0 .. 2^80, and what one has below 2^-128 is dropped.
+struct ExactSum {
+    std::array<std::uint64_t, 4> words{};
+
+    ExactSum& operator+=(double term);
+    ExactSum& operator+=(const ExactSum& other);
+    double value() const;
+
+    /// The words as 32-bit halves, the low one first: what files hold.
+    using Halves = std::array<std::uint32_t, 8>;
+    Halves halves() const;
+    static ExactSum of(const Halves& halves);
+};
+
 /// Errors over a set of inputs.
 struct Accuracy {
     std::uint64_t inputs = 0;
-    Worst rounding;                    ///< |y - 2^O f(c, n)|, f the lobe's own real function, in ulps of the output
-    double rounding_squares = 0;       ///< sum of their squares
-    Worst approximation;               ///< |y / 2^O - c^n| at the rounded cosine
-    double approximation_squares = 0;  ///< sum of their squares
-    Worst approximation_exact;         ///< the same at the worse end of [code - 1/2, code + 1/2] / 2^F cut to [0, 1]
-    Worst epicentre;                   ///< |y / 2^O - c^n| / c^n at the rounded cosine, in the epicentre zone, n >= 2
+    Worst rounding;                  ///< |y - 2^O f(c, n)|, f the lobe's own real function, in ulps of the output
+    ExactSum rounding_squares;       ///< sum of their squares
+    Worst approximation;             ///< |y / 2^O - c^n| at the rounded cosine
+    ExactSum approximation_squares;  ///< sum of their squares
+    Worst approximation_exact;       ///< the same at the worse end of [code - 1/2, code + 1/2] / 2^F cut to [0, 1]
+    Worst epicentre;                 ///< |y / 2^O - c^n| / c^n at the rounded cosine, in the epicentre zone, n >= 2
 
     double rounding_rms() const;
     double approximation_rms() const;

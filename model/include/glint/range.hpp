@@ -20,4 +20,19 @@ struct Range {
 /// positive. `what` names the argument in the error. Throws Error.
 Range parse_range(std::string_view text, std::string_view what, std::int64_t low, std::int64_t high);
 
+/// Part `index` of `count` of a list of tasks: neighbours, and every task is in one part.
+struct Shard {
+    std::uint64_t index = 1;
+    std::uint64_t count = 1;
+
+    std::uint64_t first(std::uint64_t tasks) const { return tasks * (index - 1) / count; }
+    std::uint64_t end(std::uint64_t tasks) const { return tasks * index / count; }
+    /// Throws Error where some part would be empty.
+    void check(std::uint64_t tasks) const;
+    friend bool operator==(const Shard&, const Shard&) = default;
+};
+
+/// "3/16": the third of 16 parts; at most 10^6. Throws Error.
+Shard parse_shard(std::string_view text);
+
 }  // namespace glint

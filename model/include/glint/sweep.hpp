@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstddef>
+#include <deque>
+#include <mutex>
 #include <vector>
 
 #include "glint/accuracy.hpp"
@@ -33,18 +35,22 @@ public:
     const std::vector<int>& n() const { return n_; }
     std::uint64_t inputs() const { return n_.size() * static_cast<std::uint64_t>(cos_code_.size()); }
 
-    /// The tasks' accuracies, each a list by n, as one result. Added in the order of the tasks, so that the sums do not
-    /// depend on the threads.
-    SweepResult merge(const std::vector<std::vector<Accuracy>>& by_task) const;
+    /// Room for what one thread measures: an accuracy by n. A reference stays good while others are asked for.
+    std::vector<Accuracy>& part();
+    /// All parts as one result. It does not depend on which thread measured what.
+    SweepResult result() const;
 
 private:
     Range cos_code_;
     std::vector<int> n_;
     std::size_t tasks_;
+    std::mutex mutex_;
+    std::deque<std::vector<Accuracy>> parts_;
 };
 
-/// Evaluates the model at every (n, cos_code) of the ranges and measures it. Throws Error as SweepPlan does.
+/// Evaluates the model at every (n, cos_code) of the ranges and measures it; with a shard only at that part of the
+/// codes. Throws Error as SweepPlan does, and for more shards than tasks.
 SweepResult sweep(const GoldenModel& model, Range n, Range cos_code, unsigned threads = 0,
-                  const Progress& progress = {});
+                  const Progress& progress = {}, Shard shard = {});
 
 }  // namespace glint

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "glint/effect.hpp"
 #include "glint/golden.hpp"
 
 namespace glint {
@@ -47,6 +48,27 @@ std::vector<TestVector> corner_vectors(const GoldenModel& model);
 /// carry. The same seed gives the same vectors everywhere. Legal: count >= number of corners. Throws Error.
 std::vector<TestVector> make_vectors(const GoldenModel& model, std::size_t count, std::uint64_t seed);
 
+/// The codes at which an input port could go wrong, as far as it can carry them: 0, 1 ulp, small, 1/2, 1 - 1 ulp, 1,
+/// the ends of what is legal and of what the port carries, and one beyond.
+std::vector<std::int64_t> corner_codes(const EffectPort& port);
+
+/// A random legal code: one half uniform, one quarter near 0, one quarter near the top, at every distance alike.
+std::int64_t random_legal_code(const EffectPort& port, Random& random);
+
+struct EffectVector {
+    std::vector<std::int64_t> in;  ///< a code per input port
+    EffectResult expected;
+};
+
+/// The hard cases of an effect, then every corner code of every input port with random legal codes at the others.
+/// `model` is of `effect`.
+std::vector<EffectVector> corner_vectors(const Effect& effect, const EffectModel& model, std::uint64_t seed);
+
+/// The corners, then random inputs up to `count` in all: seven codes in eight legal, one in eight anything that the
+/// port can carry. The same seed gives the same vectors everywhere. Legal: count >= number of corners. Throws Error.
+std::vector<EffectVector> make_vectors(const Effect& effect, const EffectModel& model, std::size_t count,
+                                       std::uint64_t seed);
+
 enum class VectorFormat { tv, csv, hex };
 
 /// "tv", "csv" or "hex". Throws Error.
@@ -54,5 +76,6 @@ VectorFormat parse_vector_format(std::string_view text);
 
 /// The text of a vector file (docs/contract.md, section "File formats").
 std::string format_vectors(const std::vector<TestVector>& vectors, VectorFormat format);
+std::string format_vectors(const EffectModel& model, const std::vector<EffectVector>& vectors, VectorFormat format);
 
 }  // namespace glint

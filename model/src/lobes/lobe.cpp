@@ -360,7 +360,7 @@ GeneratedFile constants_header(const Kernel& kernel, const Profile& profile, con
                 members +=
                     fmt::format("{}{},{}", i % 8 == 0 ? "            " : " ", table.rows[i][k], ends ? "\n" : "");
             }
-            members += "        };\n        return values[index];\n    }\n";
+            members += "        };\n        GLINT_ROM_VITIS\n        return values[index];\n    }\n";
         }
     }
     const auto [aside, back] = shield(names);
