@@ -37,7 +37,8 @@ double uniform(Random& random) { return static_cast<double>(random.next() >> 11)
 Values random_vector(int W, Random& random) {
     const std::int64_t bits = random.between(1, W);
     Values out;
-    for (int i = 0; i < 3; ++i) out.push_back(random.between(-(1LL << (bits - 1)), (1LL << (bits - 1)) - 1));
+    for (int i = 0; i < 3; ++i)
+        out.push_back(random.between(-(std::int64_t{1} << (bits - 1)), (std::int64_t{1} << (bits - 1)) - 1));
     return out;
 }
 
@@ -54,15 +55,16 @@ TEST_CASE("cosine: parallel, opposite, perpendicular, at any lengths, at every W
         for (int i = 0; i < 100000; ++i) {
             const Values a = random_vector(W / 2, random);
             if (a == Values{0, 0, 0}) continue;
-            const std::int64_t m = random.between(1, 1LL << (W - W / 2)), k = random.between(1, 1LL << (W - W / 2));
+            const std::int64_t m = random.between(1, std::int64_t{1} << (W - W / 2)),
+                               k = random.between(1, std::int64_t{1} << (W - W / 2));
             const Values x{m * a[0], m * a[1], m * a[2]}, y{k * a[0], k * a[1], k * a[2]};
-            if (std::max({x[0], x[1], x[2], y[0], y[1], y[2]}) >= 1LL << (W - 1)) continue;
+            if (std::max({x[0], x[1], x[2], y[0], y[1], y[2]}) >= std::int64_t{1} << (W - 1)) continue;
             ++inputs;
             wrong += cosine(*model, {x[0], x[1], x[2], y[0], y[1], y[2]}) != one;
             // A vector across: (y, -x, 0) or, where that is 0, any in the plane.
             const Values across = a[0] == 0 && a[1] == 0 ? Values{1, -1, 0} : Values{-a[1], a[0], 0};
             wrong += cosine(*model, {x[0], x[1], x[2], across[0], across[1], across[2]}) != 0;
-            if (std::min({y[0], y[1], y[2]}) == -(1LL << (W - 1))) continue;
+            if (std::min({y[0], y[1], y[2]}) == -(std::int64_t{1} << (W - 1))) continue;
             wrong += cosine(*model, {x[0], x[1], x[2], -y[0], -y[1], -y[2]}) != -one;
         }
         CHECK(wrong == 0);
@@ -101,7 +103,7 @@ TEST_CASE("cosine: within its bound, symmetric, its intermediates within their r
                 wrong += !(error < 0.5 + std::ldexp(std::abs(t), -F - 1) + 1e-6);
             }
             asymmetric += cosine(*model, {in[3], in[4], in[5], in[0], in[1], in[2]}) != x["c"];
-            if (std::min({in[0], in[1], in[2]}) > -(1LL << (W - 1))) {
+            if (std::min({in[0], in[1], in[2]}) > -(std::int64_t{1} << (W - 1))) {
                 asymmetric += cosine(*model, {-in[0], -in[1], -in[2], in[3], in[4], in[5]}) != -x["c"];
             }
         }
