@@ -125,7 +125,7 @@ def lint_damaged(tool, unit, folder):
     """One port of the core too narrow: all three tools know that."""
     *parts, wrapper = unit["files"]
     damaged = Path(folder) / wrapper.name
-    text, found = re.subn(r"\((?:y_o|r_o|m_axis_tdata)\)", lambda port: port[0][:-1] + "[3:0])", wrapper.read_text())
+    text, found = re.subn(r"\((?:y_o|r_o|c_o|m_axis_tdata)\)", lambda port: port[0][:-1] + "[3:0])", wrapper.read_text())
     if found != 1:
         raise Failed(f"{wrapper}: {found} results, not one")
     damaged.write_text(text)
