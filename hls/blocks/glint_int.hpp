@@ -173,6 +173,19 @@ constexpr uint<W> product_u(T x, U y) {
 #endif
 }
 
+/// x y of a signed factor of X bits and an unsigned one, where the caller knows that it fits W bits. The vendors' types
+/// are as narrow as they say; of others a tool knows which high bits are 0, and no more. So the sign is taken apart:
+/// x = (x mod 2^(X-1)) - 2^(X-1) where x < 0.
+template <int W, int X, class T, class U>
+constexpr sint<W> product_s(T x, U y) {
+#if defined(GLINT_INT_AP) || defined(GLINT_INT_AC)
+    return static_cast<sint<W>>(x * y);
+#else
+    const uint<W> of_sign = x < 0 ? to_uint<W>(to_uint<W>(y) << (X - 1)) : to_uint<W>(0);
+    return to_sint<W>(product_u<W>(to_uint<X - 1>(x), y) - of_sign);
+#endif
+}
+
 }  // namespace glint_hls
 
 #include "glint_names_end.hpp"

@@ -34,16 +34,17 @@ Corrected<F> correct(uint<10> n, sint<F + 2> cos_code) {
     return in;
 }
 
-/// quotient = floor(x 2^S / D) for 0 <= x <= D, D > 0: S + 1 steps, one quotient bit each. A step is one addition: it
-/// takes D off a partial remainder that is not negative and adds D to a negative one, and the sign of the sum is the
-/// bit (division without restoring). The partial remainder is in -D .. D - 1, so the sum is, too, and all is modulo
-/// 2^(D_W + 1). Doubled it is even: the 1 that -D = ~D + 1 wants stands in its lowest bit.
+/// quotient = floor((D - below) 2^S / D) for 0 <= below <= D, D > 0: S + 1 steps, one quotient bit each. A step is one
+/// addition: it takes D off a partial remainder that is not negative and adds D to a negative one, and the sign of the
+/// sum is the bit (division without restoring). The first sum, of D - below and -D, is -below. The partial remainder is
+/// in -D .. D - 1, so all is modulo 2^(D_W + 1). Doubled it is even: the 1 that -D = ~D + 1 wants stands in its lowest
+/// bit.
 template <int S, int D_W>
-uint<S + 1> divide(uint<D_W> x, uint<D_W> D) {
+uint<S + 1> divide_below(uint<D_W> below, uint<D_W> D) {
     const uint<D_W + 1> plus = D;
     const uint<D_W + 1> minus = to_uint<D_W + 1>(~plus);
-    uint<D_W + 1> partial = to_uint<D_W + 1>(to_uint<D_W + 1>(x) - plus);
-    uint<S + 1> quotient = to_uint<S + 1>((partial >> D_W) == 0);
+    uint<D_W + 1> partial = to_uint<D_W + 1>(to_uint<D_W + 1>(0) - to_uint<D_W + 1>(below));
+    uint<S + 1> quotient = to_uint<S + 1>(below == 0);
     GLINT_UNROLL
     for (int step = 1; step <= S; ++step) {
         GLINT_UNROLL_VITIS
@@ -55,28 +56,37 @@ uint<S + 1> divide(uint<D_W> x, uint<D_W> D) {
     return quotient;
 }
 
-/// x y for x <= 2^X and y <= 2^Y: X-by-Y bits of a multiplier. Where a factor has its top bit, its other bits are 0.
-template <int X, int Y>
-uint<X + Y + 1> product_of_fractions(uint<X + 1> x, uint<Y + 1> y) {
-    const uint<X + Y + 1> low = product_u<X + Y + 1>(to_uint<X>(x), to_uint<Y>(y));
-    const uint<X + Y + 1> of_x = to_uint<X + Y + 1>(to_uint<X + Y + 1>(y) << X);
-    const uint<X + Y + 1> of_y = to_uint<X + Y + 1>(to_uint<X + Y + 1>(to_uint<X>(x)) << Y);
-    return (x >> X) != 0 ? of_x : (y >> Y) != 0 ? of_y : low;
+/// floor(x 2^S / D) for 0 <= x <= D, D > 0.
+template <int S, int D_W>
+uint<S + 1> divide(uint<D_W> x, uint<D_W> D) {
+    return divide_below<S, D_W>(to_uint<D_W>(D - x), D);
 }
 
-/// n (2^F - C), at most 1023 2^F.
+/// x y for x <= 2^X and y <= 2^Y: X-by-Y bits of a multiplier. Where a factor has its top bit, its other bits are 0, so
+/// at most one of the three parts is not 0. (A choice between them would let a compiler drop the cut of the factors.)
+template <int X, int Y>
+uint<X + Y + 1> product_of_fractions(uint<X + 1> x, uint<Y + 1> y) {
+    constexpr int W = X + Y + 1;
+    const uint<W> low = product_u<W>(to_uint<X>(x), to_uint<Y>(y));
+    const uint<W> of_x = (x >> X) != 0 ? to_uint<W>(to_uint<W>(y) << X) : to_uint<W>(0);
+    const uint<W> of_y = (y >> Y) != 0 ? to_uint<W>(to_uint<W>(to_uint<X>(x)) << Y) : to_uint<W>(0);
+    return to_uint<W>(low | of_x | of_y);
+}
+
+/// n (2^F - C), at most 1023 2^F, with F bits of a multiplier as above.
 template <int F>
 uint<F + 10> scaled_distance(const Corrected<F>& in) {
+    const uint<F + 10> low = product_u<F + 10>(in.n, to_uint<F>(in.distance));
     const uint<F + 10> all = to_uint<F + 10>(to_uint<F + 10>(in.n) << F);
-    return (in.distance >> F) != 0 ? all : product_u<F + 10>(in.n, to_uint<F>(in.distance));
+    return to_uint<F + 10>(low | ((in.distance >> F) != 0 ? all : to_uint<F + 10>(0)));
 }
 
 /// Schlick's fraction at S bits: floor(C 2^S / D), D = n 2^F - (n-1) C = C + n (2^F - C). D is at most n 2^F, since it
 /// falls when C grows: F + 10 bits; and never 0 (at least C, and at least n 2^F when C = 0). 0 .. 2^S, since C <= D.
 template <int F, int S>
 uint<S + 1> ratio(const Corrected<F>& in) {
-    const uint<F + 10> D = to_uint<F + 10>(in.C + scaled_distance<F>(in));
-    return divide<S, F + 10>(in.C, D);
+    const uint<F + 10> below = scaled_distance<F>(in);
+    return divide_below<S, F + 10>(below, to_uint<F + 10>(in.C + below));
 }
 
 /// x^2 of x <= 2^S: S-by-S bits of a multiplier, since the other bits of 2^S are 0.

@@ -20,6 +20,7 @@ std::uint32_t bps(uint<10> n, sint<Constants::F + 2> cos_code) {
     static_assert(O >= 4 && O <= 28, "O: 4 to 28");
     static_assert(S >= O && S <= 30, "S: O to 30");
     static_assert(K >= O && K <= 30, "K: O to 30");
+    static_assert(Constants::a < 0, "a is negative");
 
     const Corrected<F> in = correct<F>(n, cos_code);
     const uint<S + 1> quotient = ratio<F, S>(in);
@@ -31,14 +32,16 @@ std::uint32_t bps(uint<10> n, sint<Constants::F + 2> cos_code) {
     // All products and sums are below 2 at K + S fraction bits, K + S + 2 bits, and stay so with the half of rnd added.
     // y is at most 2^O, which the model shows for every legal format: no upper clamp.
     constexpr int SUM_W = K + S + 2;
-    const sint<K + 2> a = to_sint<K + 2>(Constants::a);
-    const sint<K + 3> b = to_sint<K + 3>(Constants::b);
     const sint<K + 2> c1 = to_sint<K + 2>(Constants::c1);
     const sint<SUM_W> d0 = to_sint<SUM_W>(Constants::d0 * (std::int64_t{1} << S));  // d0 2^S
 
-    const sint<K + 3> h1 = to_sint<K + 3>(b + rnd<S>(product<SUM_W>(a, quotient)));
-    const sint<K + 2> h2 = to_sint<K + 2>(c1 + rnd<S>(product<SUM_W>(h1, quotient)));
-    const sint<SUM_W> sum = to_sint<SUM_W>(product<SUM_W>(h2, quotient) + d0);
+    // a is negative, so a q = -|a| + |a| (1 - q): the same bits by a product of two numbers without a sign.
+    const uint<S + 1> rest = to_uint<S + 1>(to_uint<S + 1>(uint<S + 1>{1} << S) - quotient);
+    const uint<SUM_W> product_a = product_u<SUM_W>(to_uint<K + 1>(-Constants::a), rest);
+    const sint<K + 3> h1 =
+        to_sint<K + 3>(to_sint<K + 3>(Constants::b + Constants::a) + to_sint<K + 3>(rnd<S>(product_a)));
+    const sint<K + 2> h2 = to_sint<K + 2>(c1 + rnd<S>(product_s<SUM_W, K + 3>(h1, quotient)));
+    const sint<SUM_W> sum = to_sint<SUM_W>(product_s<SUM_W, K + 2>(h2, quotient) + d0);
     const sint<O + 2> rounded = to_sint<O + 2>(rnd<S + K - O>(sum));
 
     return word<F, O>(in, rounded < 0 ? to_uint<O + 1>(0) : to_uint<O + 1>(rounded));

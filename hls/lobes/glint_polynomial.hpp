@@ -15,7 +15,7 @@ uint<S + 1> ratio_symmetric(const Corrected<F>& in) {
     const uint<F + 11> numerator =
         to_uint<F + 11>(static_cast<uint<F + 11>>(to_uint<F + 11>(1) << F) + to_uint<F + 11>(in.C));
     const uint<F + 11> twice = to_uint<F + 11>(to_uint<F + 11>(scaled_distance<F>(in)) << 1);
-    return divide<S, F + 11>(numerator, to_uint<F + 11>(numerator + twice));
+    return divide_below<S, F + 11>(twice, to_uint<F + 11>(numerator + twice));
 }
 
 /// The variable by its number: 0 s, 1 t.
