@@ -20,6 +20,7 @@ fpga::Point read_point(const io::JsonNode& node) {
     if (node.has("mask")) out.mask = node.integer("mask", 0, most);
     if (node.has("lobe")) out.lobe = node.text("lobe");
     out.profile = node.text("profile");
+    if (node.has("architecture")) out.architecture = node.text("architecture");
     out.device = node.word("device");
     out.dsp = node.boolean("dsp");
     out.resources.luts = node.integer("luts", 0, most);

@@ -29,7 +29,8 @@ T pin(T& value, std::false_type) {
 /// True when a port of this type can carry the number.
 template <class T>
 bool carries(std::int32_t number) {
-    return static_cast<std::int32_t>(static_cast<T>(number)) == number && (number >= 0 || std::is_signed<T>::value);
+    const bool is_signed = !(static_cast<T>(-1) > static_cast<T>(0));
+    return static_cast<std::int32_t>(static_cast<T>(number)) == number && (number >= 0 || is_signed);
 }
 
 /// The ports of a function of this type. An input is passed by value, an output by pointer.

@@ -106,15 +106,15 @@ CCS_MAIN(int argc, char** argv) {
         std::int32_t results[most_ports] = {};
         std::size_t inputs = 0;
         std::size_t outputs = 0;
-#define GLINT_CALL(name)                                                                             \
-    if (top == GLINT_TEXT(name)) {                                                                   \
-        using Ports = glint_flat::Ports<decltype(name)>;                                             \
-        inputs = Ports::inputs;                                                                      \
-        outputs = Ports::outputs;                                                                    \
-        well_formed = parse(line, numbers, inputs + outputs) && Ports::carry(numbers);               \
-        if (well_formed) {                                                                           \
-            Ports::call([](auto... ports) { return CCS_DESIGN(name)(ports...); }, numbers, results); \
-        }                                                                                            \
+#define GLINT_CALL(name)                                                                               \
+    if (top == GLINT_TEXT(name)) {                                                                     \
+        using Ports = glint_flat::Ports<decltype(name)>;                                               \
+        inputs = Ports::inputs;                                                                        \
+        outputs = Ports::outputs;                                                                      \
+        well_formed = parse(line, numbers, inputs + outputs) && Ports::carry(numbers);                 \
+        if (well_formed) {                                                                             \
+            Ports::call([](auto&&... ports) { return CCS_DESIGN(name)(ports...); }, numbers, results); \
+        }                                                                                              \
     }
         GLINT_TOPS(GLINT_CALL)
         if (!well_formed) {

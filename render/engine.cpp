@@ -364,6 +364,8 @@ private:
                     in_.push_back(parameters_[next].data());
                     ++next;
                     break;
+                case EffectPort::Kind::component:
+                    throw Error(fmt::format("{} is not legal in a picture: it takes vectors", model.effect()));
             }
         }
         if (model.outputs().size() == 1) {

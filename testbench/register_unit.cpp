@@ -21,8 +21,10 @@ namespace {
 #ifdef GLINT_INPUTS
 struct Pins : StreamPins {
 #define GLINT_PIN(name) +1
+#define GLINT_SIGNED_PIN(name, bits) +1
     static constexpr std::size_t inputs = 0 GLINT_INPUTS, outputs = 0 GLINT_OUTPUTS;
 #undef GLINT_PIN
+#undef GLINT_SIGNED_PIN
 
     template <class Model>
     static void input(Model& m, const std::int32_t* const* in, std::size_t i, const std::uint32_t* mask,
@@ -35,8 +37,11 @@ struct Pins : StreamPins {
     template <class Model>
     static void output(const Model& m, std::int32_t* values) {
 #define GLINT_PIN(name) *values++ = static_cast<std::int32_t>(m.name);
+#define GLINT_SIGNED_PIN(name, bits) \
+    *values++ = static_cast<std::int32_t>(static_cast<std::uint32_t>(m.name) << (32 - bits)) >> (32 - bits);
         GLINT_OUTPUTS
 #undef GLINT_PIN
+#undef GLINT_SIGNED_PIN
     }
 };
 #else

@@ -25,7 +25,7 @@ Json to_json(const Point& point) {
     if (point.mask) out["mask"] = *point.mask;
     if (!point.lobe.empty()) out["lobe"] = point.lobe;
     out["profile"] = point.profile;
-    if (point.effect.empty()) out["architecture"] = point.architecture;
+    if (!point.architecture.empty()) out["architecture"] = point.architecture;
     out["device"] = point.device;
     out["dsp"] = point.dsp;
     out["luts"] = point.resources.luts;
@@ -57,16 +57,22 @@ Json to_json(const Point& point) {
 }
 
 /// What tells two points apart, in the order of the file.
-using Identity = std::tuple<std::string, std::string, int, std::string, std::string, bool>;
+using Identity = std::tuple<std::string, std::string, int, std::string, std::string, bool, std::string>;
 
 /// Throws the exceptions of Json.
 Identity identity(const Json& point, PriceFile file) {
     const auto text = [&](const char* key) { return point.at(key).get<std::string>(); };
     const bool dsp = point.at("dsp").get<bool>();
     if (file == PriceFile::lobes) {
-        return {text("lobe"), text("profile"), 0, text("architecture"), text("device"), dsp};
+        return {text("lobe"), text("profile"), 0, text("architecture"), text("device"), dsp, ""};
     }
-    return {text("effect"), point.value("lobe", ""), point.value("mask", 0), text("profile"), text("device"), dsp};
+    return {text("effect"),
+            point.value("lobe", ""),
+            point.value("mask", 0),
+            text("profile"),
+            text("device"),
+            dsp,
+            point.value("architecture", "")};
 }
 
 Json read_points(const std::filesystem::path& path, PriceFile file) {
@@ -82,7 +88,7 @@ Json read_points(const std::filesystem::path& path, PriceFile file) {
 std::vector<std::string> names_of(const Point& point, PriceFile file) {
     if (file == PriceFile::lobes) return {point.lobe, point.profile, point.architecture};
     return {point.effect, point.mask ? std::to_string(*point.mask) : "-", point.lobe.empty() ? "-" : point.lobe,
-            point.profile};
+            point.architecture.empty() ? point.profile : fmt::format("{} {}", point.profile, point.architecture)};
 }
 
 }  // namespace
@@ -146,7 +152,8 @@ std::vector<Point> named_points(const std::filesystem::path& path) {
             if (point.contains("mask")) named.mask = point["mask"].get<int>();
             named.lobe = of_lobes ? point.at("lobe").get<std::string>() : point.value("lobe", "");
             named.profile = point.at("profile");
-            if (of_lobes) named.architecture = point.at("architecture");
+            named.architecture =
+                of_lobes ? point.at("architecture").get<std::string>() : point.value("architecture", "");
             named.device = point.at("device");
             named.dsp = point.at("dsp");
             named.hash = point.at("hash");

@@ -19,7 +19,7 @@ struct Point {
     std::optional<int> mask;  ///< of the effect shade: what is built
     std::string lobe;         ///< with its options; of an effect the one that it is made of, or empty
     std::string profile;
-    std::string architecture;  ///< of a lobe's unit
+    std::string architecture;  ///< of an effect's unit empty where it is the default
     std::string device;
     bool dsp = false;     ///< products may use DSPs
     Resources resources;  ///< of the unit: those of the harness are taken off

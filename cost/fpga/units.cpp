@@ -173,6 +173,9 @@ std::vector<Exchange> effect_burst(const Effect& effect, const EffectModel& mode
         if (mask) in[0] &= *mask;  // the port `effects`: what is not built counts as not asked for
         EffectResult result = model.eval_port(in);
         exchange.out = std::move(result.values);
+        for (std::size_t p = 0; p < exchange.out.size(); ++p) {  // as the bench prints them: without a sign
+            exchange.out[p] &= (std::int64_t{1} << model.outputs()[p].bits) - 1;
+        }
         exchange.out.push_back(result.clamped ? 1 : 0);
     }
     return out;
@@ -185,14 +188,19 @@ std::vector<Port> ports(std::span<const EffectPort> of_model, std::string_view s
 }
 
 PricedUnit effect_unit(const Effect& effect, const EffectModel& model, const Design& design, const std::string& lobe,
-                       std::optional<int> mask) {
+                       const Architecture& architecture, std::optional<int> mask) {
     PricedUnit out;
+    out.point.architecture = architecture.name;
+    out.family = architecture.family;
     out.point.effect = effect.name;
     out.point.mask = mask;
     if (effect.takes_lobe) out.point.lobe = lobe;
     out.point.profile = model.profile().argument();
     out.unit = stream_unit(module_of(design), ports(model.inputs(), "i"), ports(model.outputs(), "o"), tag_w);
     if (mask) out.unit.parameters += fmt::format(", .MASK({})", *mask);
+    for (const auto& [parameter, value] : architecture.parameters) {
+        out.unit.parameters += fmt::format(", .{}({})", parameter, value);
+    }
     out.design = design;
     out.burst = effect_burst(effect, model, mask);
     return out;
@@ -210,7 +218,6 @@ std::vector<const Effect*> effects_of(const std::string& text) {
 
 std::vector<PricedUnit> effects_of(const Options& options) {
     const std::vector<const Effect*> effects = effects_of(options.effect);
-    if (!options.architecture.empty()) throw Error("--architecture is not legal with --effect: it is of lobes");
     if (!options.mask.empty() &&
         std::none_of(effects.begin(), effects.end(), [](const Effect* effect) { return effect->name == "shade"; })) {
         throw Error("--mask is not legal here: it is a parameter of the effect shade");
@@ -221,12 +228,20 @@ std::vector<PricedUnit> effects_of(const Options& options) {
         for (const std::string& text : io::split_profiles(options.profile)) {
             const Profile profile = parse_profile(text);
             const std::unique_ptr<EffectModel> model = effect->golden(profile, options.lobe);
-            const Design design = design_of(effect->emit(profile, options.lobe));
-            if (effect->name != "shade") {
-                out.push_back(effect_unit(*effect, *model, design, options.lobe, std::nullopt));
-                continue;
+            for (const std::string& name :
+                 io::split_list(options.architecture.empty() ? "default" : options.architecture)) {
+                std::vector<GeneratedFile> files = effect->emit(profile, options.lobe);
+                const Architecture architecture = parse_architecture(*files.front().unit, name);
+                use_family(*files.front().unit, architecture.family);
+                const Design design = design_of(files);
+                if (effect->name != "shade") {
+                    out.push_back(effect_unit(*effect, *model, design, options.lobe, architecture, std::nullopt));
+                    continue;
+                }
+                for (const int mask : chosen) {
+                    out.push_back(effect_unit(*effect, *model, design, options.lobe, architecture, mask));
+                }
             }
-            for (const int mask : chosen) out.push_back(effect_unit(*effect, *model, design, options.lobe, mask));
         }
     }
     return out;

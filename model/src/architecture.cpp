@@ -89,6 +89,27 @@ Architecture parse_architecture(const Lobe& lobe, std::string_view text) {
     return out;
 }
 
+Architecture parse_architecture(const HardwareUnit& unit, std::string_view text) {
+    const std::string_view base = text.substr(0, text.find(':'));
+    std::string_view rest = text.substr(base.size());
+    const bool chosen = std::ranges::find(unit.parameters, "MULTIPLIER_STAGES", &HardwareUnit::Parameter::name) !=
+                        unit.parameters.end();
+    const std::string family = take_family(rest);
+    const std::optional<int> stages = chosen ? take_number(rest, 'm', most_stages) : 1;
+    if (base != "default" || !stages || !rest.empty()) {
+        throw Error(fmt::format("architecture '{}' is not legal for {}: default{}[:FAMILY], FAMILY ecp5 or up5k", text,
+                                unit.name, chosen ? fmt::format("[:mN], N = 1 to {}", most_stages) : ""));
+    }
+    Architecture out{"", {}, family};
+    if (*stages != 1) {
+        out.name = fmt::format("m{}", *stages);
+        out.parameters.emplace_back("MULTIPLIER_STAGES", *stages);
+    }
+    if (!family.empty()) out.name += (out.name.empty() ? "" : ":") + family;
+    if (!out.name.empty()) out.name = "default:" + out.name;
+    return out;
+}
+
 int Architecture::parameter(std::string_view name_of_it, int otherwise) const {
     const auto found =
         std::find_if(parameters.begin(), parameters.end(), [&](const auto& p) { return p.first == name_of_it; });

@@ -33,6 +33,10 @@ const std::vector<Module>& modules() {
          {"glint_divider_restoring", "glint_divider_radix4", "glint_divider_iterative", "glint_divider_reciprocal"}},
         {"glint_sqrt"},
         {"glint_normalise"},
+        {"glint_signed_multiplier", {"glint_delay"}},
+        {"glint_dot_product", {"glint_signed_multiplier"}},
+        {"glint_nearest", {"glint_divider"}},
+        {"glint_cosine", {"glint_delay", "glint_multiplier", "glint_dot_product", "glint_sqrt", "glint_nearest"}},
         {"glint_ports", {"glint_delay"}},
         {"glint_stream", {"glint_delay"}},
         {"glint_axis", {"glint_skid"}},
@@ -97,7 +101,9 @@ void add_files(std::vector<HardwareUnit::File>& files, const std::vector<Hardwar
 
 std::span<const Family> families() {
     static const std::array<Family, 2> all{
-        {{"ecp5", {"glint_multiplier", "glint_divider_restoring"}, {"MULT18X18D", "CCU2C"}},
+        {{"ecp5",
+          {"glint_multiplier", "glint_divider_restoring", "glint_signed_multiplier", "glint_sqrt", "glint_nearest"},
+          {"MULT18X18D", "CCU2C"}},
          {"up5k", {"glint_multiplier"}, {"SB_MAC16"}}}};
     return all;
 }
@@ -119,6 +125,9 @@ void use_family(HardwareUnit& unit, std::string_view family) {
             add_files(files, {{fmt::format("blocks/{}/glint_multiplier_block.v", family)}});
         }
         if (*name == "glint_divider_restoring") add_files(files, {{fmt::format("blocks/{}/glint_add_sub.v", family)}});
+        if (*name == "glint_sqrt" || *name == "glint_nearest") {
+            add_files(files, {{fmt::format("blocks/{}/glint_add_sub_odd.v", family)}});
+        }
         add_files(files, {{fmt::format("blocks/{}/{}.v", family, *name)}});
     }
     unit.files = std::move(files);

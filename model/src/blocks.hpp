@@ -52,6 +52,10 @@ inline Block parabola() { return (rounded() + rounded()).named("glint_parabola")
 inline Block log2() { return (step(3) + parabola() + step()).named("glint_log2"); }
 inline Block exp2() { return (step() + parabola() + step(2)).named("glint_exp2"); }
 inline Block sqrt(int root_bits) { return {"glint_sqrt", root_bits}; }
+/// Two products one after the other; a root of F + 2 bits; a quotient of F + 1 bits, by its own divider.
+inline Block cosine(int F) {
+    return (product() + step(2) + product() + step(6) + sqrt(F + 2) + step(F + 2)).named("glint_cosine");
+}
 inline Block attenuation() { return (log2() + step(2)).named("glint_attenuation"); }
 inline Block normalise() { return {"glint_normalise", 2}; }
 /// From its factor, which comes five clocks after z; and from z.
@@ -77,9 +81,6 @@ std::vector<std::string_view> shared_modules();
 
 /// The files of a module of rtl/ and of all that it contains: `way` and `beside`, or what the table of blocks says.
 std::vector<HardwareUnit::File> files_of(std::string_view module, const Hardware& hardware = {});
-
-/// The unit built of the blocks of a family; of those of any device when `family` is empty.
-void use_family(HardwareUnit& unit, std::string_view family);
 
 /// Adds those that are not there yet.
 void add_files(std::vector<HardwareUnit::File>& files, const std::vector<HardwareUnit::File>& more);

@@ -8,6 +8,7 @@
 (* hierconn *) wire                  [5:0] \stream.inside ;
 (* hierconn *) wire [(TAG_W+1)*CLOCKS-1:0] \stream.delay_tag.contents ;
 (* hierconn *) wire                        \stream.clamped_i ;
+(* hierconn *) wire                        \stream.clamped_o ;
 wire                        moves        = \stream.advance ;
 wire           [CLOCKS-1:0] slots_full   = \stream.valid_q ;
 wire         [6*CLOCKS-1:0] slots_after  = \stream.after_q ;
@@ -19,6 +20,6 @@ localparam CAPACITY = CLOCKS;
 localparam SLOT_W   = TAG_W + 1;
 localparam ITEM_W   = TAG_W + 1;
 wire [ITEM_W-1:0] item_in  = {\stream.clamped_i , tag_i};
-wire [ITEM_W-1:0] item_out = {clamped_o, tag_o};
+wire [ITEM_W-1:0] item_out = {\stream.clamped_o , tag_o};  // clamped_o, but where an effect has its own
 
 `include "pipeline.vh"

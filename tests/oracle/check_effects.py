@@ -24,9 +24,9 @@ from oracle import SHIPPED, run_tool
 def width(text, F, O):
     """`2^(O+8) - 1` and its like."""
     python = text.replace("^", "**")
-    if not re.fullmatch(r"[0-9FO+*() -]+", python):
+    if not re.fullmatch(r"[0-9FOW+*() -]+", python):
         raise Unreadable(f"'{text}' is not a width or a code")
-    return eval(python, {"__builtins__": {}}, {"F": F, "O": O})
+    return eval(python, {"__builtins__": {}}, {"F": F, "O": O, "W": 16})
 
 
 class Port:

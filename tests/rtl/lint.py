@@ -53,6 +53,11 @@ MODULES = {
     "glint_square": ("S R MULTIPLIER_STAGES", ((1, 1, 1), (4, 1, 2), (4, 7, 1), (17, 17, 3), (30, 4, 1), (30, 30, 4))),
     "glint_sqrt": ("Y_W", ((2,), (3,), (19,), (32,))),
     "glint_stream": ("LATENCY TAG_W", ((2, 1), (25, 17), (50, 64))),
+    "glint_signed_multiplier": ("WIDTH STAGES", ((8, 1), (16, 2), (18, 4))),
+    "glint_dot_product": ("WIDTH MULTIPLIER_STAGES", ((8, 1), (18, 3))),
+    "glint_nearest": ("ROOT_W Q_W", ((9, 8), (22, 21), (31, 30))),
+    "glint_cosine": ("W F MULTIPLIER_STAGES", ((8, 7, 1), (8, 29, 2), (9, 18, 1), (18, 17, 4), (17, 29, 1))),
+    "glint_effect_cosine": ("W F MULTIPLIER_STAGES TAG_W", ((8, 8, 1, 1), (18, 20, 3, 64))),
     "glint_dot": ("F", ((8,), (18,), (30,))),
     "glint_colour": ("O", ((4,), (12,), (28,))),
     "glint_effect_lambert": ("F O TAG_W", ((8, 8, 1), (9, 8, 1), (8, 4, 16), (30, 28, 64))),
@@ -120,7 +125,7 @@ def lint_damaged(tool, unit, folder):
     """One port of the core too narrow: all three tools know that."""
     *parts, wrapper = unit["files"]
     damaged = Path(folder) / wrapper.name
-    text, found = re.subn(r"\((?:y_o|r_o|m_axis_tdata)\)", lambda port: port[0][:-1] + "[3:0])", wrapper.read_text())
+    text, found = re.subn(r"\((?:y_o|r_o|c_o|m_axis_tdata)\)", lambda port: port[0][:-1] + "[3:0])", wrapper.read_text())
     if found != 1:
         raise Failed(f"{wrapper}: {found} results, not one")
     damaged.write_text(text)
@@ -176,7 +181,10 @@ def lint(tool, folders):
         models = [RTL / name for name in family["simulation"]]
         for top, names, sets in (("glint_multiplier", "A_W B_W SIGNED STAGES",
                                   ((1, 1, 0, 1), (18, 16, 1, 2), (31, 40, 1, 3), (28, 17, 0, 4))),
-                                 ("glint_divider_restoring", "X_W Y_W Q_W REGISTER_EVERY", ((3, 1, 2, 1), (34, 28, 16, 3)))):
+                                 ("glint_divider_restoring", "X_W Y_W Q_W REGISTER_EVERY", ((3, 1, 2, 1), (34, 28, 16, 3))),
+                                 ("glint_signed_multiplier", "WIDTH STAGES", ((8, 1), (16, 2), (18, 4))),
+                                 ("glint_sqrt", "Y_W", ((2,), (22,), (31,))),
+                                 ("glint_nearest", "ROOT_W Q_W", ((9, 8), (22, 21)))):
             family_files = [RTL / name for name in family.get(top, [])]
             listed.update(models + family_files)
             for values in sets if family_files else ():

@@ -91,6 +91,11 @@ TEST_CASE("an effect answers within its ports, and its trace ends with the answe
             for (std::size_t p = 0; p < in.size(); ++p) {
                 clamped |= in[p] < model.inputs()[p].low || in[p] > model.inputs()[p].high;
             }
+            if (effect.name == "cosine") {  // no code is corrected, but a vector of 0
+                const std::vector<std::int64_t> none(3);
+                clamped = std::equal(none.begin(), none.end(), in.begin()) ||
+                          std::equal(none.begin(), none.end(), in.begin() + 3);
+            }
             // shade corrects what is asked for alone: effects_test.cpp.
             if (effect.name != "shade") wrong += clamped != result.clamped;
             corrections += clamped;
@@ -137,7 +142,7 @@ TEST_CASE("the real function of an effect answers finitely, whatever it is asked
             for (double& x : in) x = values[random.next() % std::size(values)];
             for (const double y : model.reference(in)) {
                 CHECK(std::isfinite(y));
-                CHECK(y >= 0.0);
+                CHECK((model.outputs()[0].is_signed || y >= 0.0));
             }
             // NaN counts as 0.
             std::vector<double> zeros = in;

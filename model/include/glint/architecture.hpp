@@ -8,6 +8,7 @@
 
 namespace glint {
 
+struct HardwareUnit;
 struct Lobe;
 
 struct Architecture {
@@ -27,6 +28,10 @@ struct Architecture {
 /// for others "pipelined[:mN][:FAMILY]". rN, of restoring and radix4: a register after every N rows of the divider, 1
 /// to 32; mN: a product takes N clocks, 1 to 4. Both are 1 where they are left out. FAMILY: ecp5 or up5k. Throws Error.
 Architecture parse_architecture(const Lobe& lobe, std::string_view text);
+
+/// For the unit of an effect "default[:mN][:FAMILY]", with mN where it has the parameter MULTIPLIER_STAGES; its name is
+/// empty where nothing is as in the default. Throws Error.
+Architecture parse_architecture(const HardwareUnit& unit, std::string_view text);
 
 /// "restoring", or "pipelined" for a lobe without a divider.
 Architecture default_architecture(const Lobe& lobe);

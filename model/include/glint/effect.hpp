@@ -19,8 +19,8 @@ namespace glint {
 /// A port of an effect's unit. In Verilog an input is `<name>_i`, an output `<name>_o`.
 struct EffectPort {
     /// What feeds it, and when it changes: a dot product of unit vectors (per pixel and light), a parameter of the
-    /// material, a colour channel of material or light, or the term that another unit computed.
-    enum class Kind { dot, parameter, colour, term };
+    /// material, a colour channel of material or light, the term that another unit computed, or a vector's component.
+    enum class Kind { dot, parameter, colour, term, component };
     std::string_view name;
     Kind kind = Kind::dot;
     int bits = 0;            ///< width, the sign included; at most 32, without a sign at most 31
@@ -67,8 +67,8 @@ public:
     std::vector<Intermediate> trace(std::span<const std::int64_t> in) const;
 
     /// The real function: a real number per input port gives one per output port. Arguments outside the legal range are
-    /// corrected as at the ports; the result is finite and not negative for all arguments, NaN among them (it counts as
-    /// 0).
+    /// corrected as at the ports; the result is finite for all arguments, NaN among them (it counts as 0), and that of
+    /// a term or a colour is not negative.
     std::vector<double> reference(std::span<const double> in) const;
 
     /// What Effect::bound_ulp is in units of at an input, at least 1: 1 ulp for most effects; results far above 1 are

@@ -74,6 +74,9 @@ struct Family {
 };
 std::span<const Family> families();
 
+/// The unit built of the blocks of a family; of those of any device when `family` is empty.
+void use_family(HardwareUnit& unit, std::string_view family);
+
 /// units.json of these units.
 std::string manifest(std::span<const HardwareUnit> units, const FileRoots& roots);
 

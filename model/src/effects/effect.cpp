@@ -43,7 +43,7 @@ std::string effect_module_name(const EffectModel& model, std::string_view lobe) 
 namespace {
 
 std::vector<HardwareUnit::Port> described(std::span<const EffectPort> ports, bool output) {
-    static constexpr std::string_view kinds[] = {"dot product", "parameter", "colour", "term"};
+    static constexpr std::string_view kinds[] = {"dot product", "parameter", "colour", "term", "component"};
     std::vector<HardwareUnit::Port> out;
     for (const EffectPort& port : ports) {
         out.push_back({fmt::format("{}_{}", port.name, output ? "o" : "i"), output, port.bits, "", port.is_signed,
@@ -92,7 +92,7 @@ Kernel kernel(const EffectModel& model) {
             fmt::format("static_cast<std::{}int32_t>({})", sign, port.name));
     }
     for (const EffectPort& port : model.outputs()) {
-        add(fmt::format("glint_hls::uint_port<{}>*", port.bits), port.name, port.name);
+        add(fmt::format("glint_hls::{}int_port<{}>*", port.is_signed ? "s" : "u", port.bits), port.name, port.name);
     }
     add("bool*", "clamped", "clamped");
     return out;
@@ -101,12 +101,15 @@ Kernel kernel(const EffectModel& model) {
 }  // namespace
 
 GeneratedFile effect_module(const EffectModel& model, std::string_view lobe, const Hardware& hardware,
-                            std::string_view core, std::string_view body) {
+                            std::string_view core, std::string_view body,
+                            const std::vector<HardwareUnit::Parameter>& choices) {
     const Profile& profile = model.profile();
     const std::string module = effect_module_name(model, lobe);
     HardwareUnit unit = described(model, lobe, hardware, core);
     unit.files.push_back({module + ".v", true});
-    std::string ports;
+    unit.parameters.insert(unit.parameters.begin(), choices.begin(), choices.end());
+    std::string chosen, ports;
+    for (const auto& choice : choices) chosen += fmt::format("    parameter {} = {},\n", choice.name, choice.value);
     const auto add = [&](std::string_view direction, std::string_view range, std::string_view name) {
         ports += fmt::format("{}    {:6} wire {:>11} {}", ports.empty() ? "" : ",\n", direction, range, name);
     };
@@ -134,7 +137,7 @@ GeneratedFile effect_module(const EffectModel& model, std::string_view lobe, con
 // verilator lint_off TIMESCALEMOD
 
 module {0} #(
-    parameter TAG_W = 16
+{6}    parameter TAG_W = 16
 ) (
 {4}
 );
@@ -144,12 +147,13 @@ endmodule
 
 `default_nettype wire
 )",
-                        module, model.effect(), profile.argument(), choice, ports, body),
+                        module, model.effect(), profile.argument(), choice, ports, body, chosen),
             std::move(unit)};
 }
 
 GeneratedFile effect_wrapper(const EffectModel& model, const Hardware& hardware,
-                             const std::vector<Constant>& parameters, const std::vector<Table>& tables) {
+                             const std::vector<Constant>& parameters, const std::vector<Table>& tables,
+                             const std::vector<HardwareUnit::Parameter>& choices) {
     std::vector<std::string> names{"clk_i", "rst_ni", "valid_i", "ready_o"};
     for (const EffectPort& port : model.inputs()) names.push_back(fmt::format("{}_i", port.name));
     names.insert(names.end(), {"tag_i", "valid_o", "ready_i"});
@@ -159,9 +163,13 @@ GeneratedFile effect_wrapper(const EffectModel& model, const Hardware& hardware,
     std::size_t name_width = 0, parameter_width = 5;
     for (const std::string& name : names) name_width = std::max(name_width, name.size());
     for (const Constant& p : parameters) parameter_width = std::max(parameter_width, p.name.size());
+    for (const auto& choice : choices) parameter_width = std::max(parameter_width, choice.name.size());
     std::string values, connections;
     for (const Constant& p : parameters) {
         values += fmt::format("        .{:{}}({}),\n", p.name, parameter_width, p.value);
+    }
+    for (const auto& choice : choices) {
+        values += fmt::format("        .{:{}}({}),\n", choice.name, parameter_width, choice.name);
     }
     values += fmt::format("        .{:{}}(TAG_W)\n", "TAG_W", parameter_width);
     for (const std::string& name : names) {
@@ -172,7 +180,8 @@ GeneratedFile effect_wrapper(const EffectModel& model, const Hardware& hardware,
     GeneratedFile file =
         effect_module(model, "", hardware, core,
                       fmt::format("{}    glint_effect_{} #(\n{}    ) core (\n{}{}\n    );\n{}", memories.wires,
-                                  model.effect(), values, connections, memories.ports, memories.instances));
+                                  model.effect(), values, connections, memories.ports, memories.instances),
+                      choices);
     describe(*file.unit, parameters, tables);
     return file;
 }

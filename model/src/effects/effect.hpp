@@ -37,15 +37,17 @@ void check_output_bits(std::string_view effect, const Profile& profile, int grea
 std::string effect_module_name(const EffectModel& model, std::string_view lobe);
 
 /// The Verilog module of that name, with the ports of the model around `body` (lines that end with a line feed). `core`
-/// is the module by hand inside.
+/// is the module by hand inside, `choices` are parameters of the module beside TAG_W.
 GeneratedFile effect_module(const EffectModel& model, std::string_view lobe, const Hardware& hardware,
-                            std::string_view core, std::string_view body);
+                            std::string_view core, std::string_view body,
+                            const std::vector<HardwareUnit::Parameter>& choices = {});
 
 /// The Verilog wrapper glint_effect_<effect>_<profile>: effect_module with the module glint_effect_<effect> inside.
 /// `parameters` are its parameters beside TAG_W, its ports are those of the model; the tables stand beside it as with a
-/// lobe.
+/// lobe, `choices` are parameters of both.
 GeneratedFile effect_wrapper(const EffectModel& model, const Hardware& hardware,
-                             const std::vector<Constant>& parameters, const std::vector<Table>& tables = {});
+                             const std::vector<Constant>& parameters, const std::vector<Table>& tables = {},
+                             const std::vector<HardwareUnit::Parameter>& choices = {});
 
 /// A unit made of others: its file, then the Verilog of its parts, each once; their files become the unit's.
 std::vector<GeneratedFile> made_of(GeneratedFile file, std::vector<GeneratedFile> parts,
