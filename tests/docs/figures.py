@@ -1,11 +1,12 @@
 #!/usr/bin/env python3
-"""The tables of figures in README, between marks, come from the JSON that holds the figures.
+"""The tables of figures in README and hls/README, between marks, come from the JSON that holds the figures.
 
     figures.py --glint GLINT            fails where a table is not current
     figures.py --glint GLINT --write    writes them
 
 `<!-- lobes -->`: every lobe at p12, `<!-- profiles of bps -->`: what a sweep of all inputs finds, `<!-- prices -->`: the
-units that its rows name. The last column of the lobes and the first of the prices are kept: they are words.
+units that its rows name; `<!-- hls -->`: what Bambu made of every kernel. The last column of the lobes and the first of
+the prices are kept: they are words.
 """
 
 import argparse
@@ -17,8 +18,7 @@ import tempfile
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
-README = ROOT / "README.md"
-MARKED = re.compile(r"(<!-- (lobes|profiles of bps|prices) -->\n)(.*?)(<!-- end -->\n)", re.DOTALL)
+MARKED = re.compile(r"(<!-- (lobes|profiles of bps|prices|hls) -->\n)(.*?)(<!-- end -->\n)", re.DOTALL)
 
 
 def data(name):
@@ -96,24 +96,45 @@ def prices(old):
     return [["unit", "error", "LUTs", "DSPs", "MHz", "latency, ns"], ["---", "--:", "--:", "--:", "--:", "--:"], *rows]
 
 
+def by_hand(kernel, profile):
+    """LUTs and DSPs of the hand-written unit on the ECP5, and its clocks, by its default architecture."""
+    unit = next(unit for unit in json.loads((ROOT / "rtl/units.json").read_text())["units"]
+                if unit["name"] == f"glint_{kernel}_{profile}")
+    architecture = unit["architectures"][0]
+    for point in data("fpga.json"):
+        if (point["lobe"], point["profile"], point["architecture"], point["device"], point["dsp"]) == \
+                (kernel, profile, architecture["name"], "ecp5-25k", True):
+            return f"{point['luts']}, {point['dsps']}, {architecture['latency']}"
+    return "-"
+
+
+def hls(_):
+    rows = [[f"`{p['kernel']}`", p["profile"], str(p["cycles"]), str(p["lut4"]), str(p["ccu2c"]), str(p["mult18"]),
+             f"{p['mhz']:.0f}", by_hand(p["kernel"], p["profile"])] for p in data("hls.json")]
+    return [["kernel", "profile", "cycles", "LUT4", "CCU2C", "MULT18", "MHz", "by hand: LUTs, DSPs, clocks"],
+            ["---", "---", "--:", "--:", "--:", "--:", "--:", "--:"], *rows]
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--glint", required=True)
     parser.add_argument("--write", action="store_true")
     options = parser.parse_args()
-    makers = {"lobes": lobes, "profiles of bps": lambda _: profiles(options.glint), "prices": prices}
-    text = README.read_text()
-    made = MARKED.sub(lambda m: m[1] + table(makers[m[2]](m[3])) + m[4], text)
-    found = [m[2] for m in MARKED.finditer(text)]
-    if options.write:
-        README.write_text(made)
-    if sorted(found) != sorted(makers):
-        print(f"FAILED: README has the tables {found}, and not {list(makers)}")
-        return 1
-    if made != text and not options.write:
-        print("FAILED: README's figures are not those of the JSON: tests/docs/figures.py --write")
-        return 1
-    print(f"{len(found)} tables are current")
+    documents = {"README.md": {"lobes": lobes, "profiles of bps": lambda _: profiles(options.glint), "prices": prices},
+                 "hls/README.md": {"hls": hls}}
+    for name, makers in documents.items():
+        text = (ROOT / name).read_text()
+        made = MARKED.sub(lambda m: m[1] + table(makers[m[2]](m[3])) + m[4], text)
+        found = [m[2] for m in MARKED.finditer(text)]
+        if options.write:
+            (ROOT / name).write_text(made)
+        if sorted(found) != sorted(makers):
+            print(f"FAILED: {name} has the tables {found}, and not {list(makers)}")
+            return 1
+        if made != text and not options.write:
+            print(f"FAILED: the figures of {name} are not those of the JSON: tests/docs/figures.py --write")
+            return 1
+        print(f"{name}: {len(found)} tables are current")
     return 0
 
 

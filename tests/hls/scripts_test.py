@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""The scripts for Vitis HLS and Catapult, executed with stand-ins for the commands of the tool: scripts_test.py GLINT.
+"""The scripts for Vitis HLS, Catapult and Bambu, executed with stand-ins for the tools: scripts_test.py GLINT.
 
 A stand-in knows the documented options of its command and refuses others; tclsh refuses a command without stand-in. The
 C simulation is real: the stand-in compiles the files that the script added, with their flags, and runs them. The keys
-of the config file are held against the documented list. Exit status: 0 all as documented, 1 not.
+of the config file are held against the documented list. The stand-ins for Bambu succeed and did too little. Exit status: 0 all as documented, 1 not.
 """
 
 import os
@@ -151,6 +151,25 @@ def main():
             broken = prelude + "rename go {}\n" if "proc go" in prelude else prelude + "rename cosim_design {}\n"
             done = execute(script, broken, "bps", folder / f"{Path(script).parent}-broken", hls)
             check(done.returncode == 1 and "invalid command name" in done.stderr, f"{script}: a command without stand-in")
+
+        (hls / "bambu").unlink()
+        (hls / "bambu").mkdir()
+        for path in HLS.glob("bambu/*.??"):
+            (hls / "bambu" / path.name).write_bytes(path.read_bytes())
+            (hls / "bambu" / path.name).chmod(0o755)
+        log = "HLS_output/simulation/testbench.log"
+        bambus = (("exit 0", "simulated nothing"),
+                  (f"mkdir -p {log[:-13]}; echo 'Sim: stopped' >{log}", "did not come to its end"),
+                  ("echo broken; exit 1", "broken"))
+        for number, (body, expected) in enumerate((("", "not found"), *bambus)):
+            bambu = folder / f"bambu{number}"
+            if body:
+                bambu.write_text(f"#!/bin/sh\n{body}\n")
+                bambu.chmod(0o755)
+            done = subprocess.run([hls / "bambu/run_hls.sh", "p12", "bps"], cwd=folder, capture_output=True, text=True,
+                                  env={**os.environ, "BAMBU": str(bambu)})
+            check(done.returncode == (1 if body else 2) and expected in done.stderr,
+                  f"run_hls.sh, {body or 'no Bambu'}: {done.returncode}\n{done.stdout}{done.stderr}")
 
         section = ""
         for line in (HLS / "vitis/hls_config.cfg").read_text().splitlines():
