@@ -8,7 +8,7 @@
 
 using namespace glint;
 
-TEST_CASE("an architecture is a divider, rows in a clock, clocks of a product; the name leaves out the defaults") {
+TEST_CASE("an architecture is a divider, rows in a clock, clocks of a product, the name leaves out the defaults") {
     const Lobe& bps = find_lobe("bps");
     const auto parameters = [](int divider, int rows, int stages) {
         return std::vector<std::pair<std::string, int>>{
@@ -85,13 +85,13 @@ TEST_CASE("a unit for a family has its multiplier in the place of that of any de
     }
 }
 
-TEST_CASE("the lobes with a divider are those whose wrappers have its parameters; all have the multiplier's") {
+TEST_CASE("the lobes with a divider are those whose wrappers have its parameters, all have the multiplier's") {
     for (const Lobe& lobe : lobes()) {
         CAPTURE(lobe.name);
         for (const GeneratedFile& file : lobe.emit(parse_profile("p8"), default_architecture(lobe))) {
             if (!file.unit) continue;
             CHECK((file.text.find("parameter DIVIDER = 0,") != std::string::npos) == lobe.divider);
-            CHECK(file.text.find("parameter MULTIPLIER_STAGES = 1\n") != std::string::npos);
+            CHECK(file.text.find("parameter MULTIPLIER_STAGES = 1") != std::string::npos);
         }
     }
     const Lobe& schlick = find_lobe("schlick");

@@ -231,7 +231,7 @@ TEST_CASE("monotone in c wherever the real function rises, falling where it fall
     }
 }
 
-TEST_CASE("eval refuses what is not legal; eval_port corrects it") {
+TEST_CASE("eval refuses what is not legal, eval_port corrects it") {
     const auto model = find_lobe("bps").golden(parse_profile("p8"));
     const int one = 1 << 16;
     CHECK_THROWS_AS(model->eval(0, 0), Error);

@@ -40,7 +40,7 @@ TEST_CASE("floor_sqrt: around every square up to 2^20, and up to the end of its 
     SUCCEED();
 }
 
-TEST_CASE("floor_sqrt of the kernels: every radicand of 12 bits; squares, their neighbours and any number of more") {
+TEST_CASE("floor_sqrt of the kernels: every radicand of 12 bits, squares, their neighbours and any number of more") {
     for (std::int64_t x = 0; x < 1 << 12; ++x) {
         if (glint_hls::floor_sqrt<6>(static_cast<std::uint16_t>(x)) != glint::floor_sqrt(x))
             FAIL("floor_sqrt(" << x << ")");

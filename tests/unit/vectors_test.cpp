@@ -64,7 +64,7 @@ TEST_CASE("the three formats say the same") {
     CHECK_THROWS_AS(parse_vector_format("bin"), Error);
 }
 
-TEST_CASE("vectors of an effect start with its corners; the three formats say the same") {
+TEST_CASE("vectors of an effect start with its corners, the three formats say the same") {
     const Effect& effect = find_effect("tint");
     const auto model = effect.golden(parse_profile("p12"), "bps");
     const auto corners = corner_vectors(effect, *model, 3);

@@ -173,7 +173,7 @@ TEST_CASE("ward: the bound, and the worst error over materials, are those of the
     }
 }
 
-TEST_CASE("ward: intermediates within their ranges; monotone; the same for L and V that change places") {
+TEST_CASE("ward: intermediates within their ranges, monotone, the same for L and V that change places") {
     for (const Profile& profile : shipped_profiles()) {
         const auto model = model_at(profile);
         const int O = profile.O, F = profile.F, H = O + 3, S = O + 4;

@@ -29,7 +29,7 @@ TEST_CASE("word lengths: the least points of a staircase") {
     CHECK(minimal_points({}, {}, [](const auto&) { return false; }).empty());
 }
 
-TEST_CASE("word lengths: least points of three coordinates, against all points; each is asked once at most") {
+TEST_CASE("word lengths: least points of three coordinates, against all points, each is asked once at most") {
     const auto good = [](const std::vector<int>& p) { return p[0] * p[1] + 2 * p[1] * p[2] + p[0] >= 17; };
     std::set<std::vector<int>> asked;
     int twice = 0;
