@@ -66,7 +66,7 @@ class Refusals(Cost):
             ("--mask '3,3' is not legal: each mask once", ["--fpga", "--effect", "shade", "--mask", "3,3"]),
             ("--mask is not legal here: it is a parameter of the effect shade", ["--fpga", "--mask", "3"]),
             ("--mask is not legal here: it is a parameter", ["--fpga", "--effect", "lambert", "--mask", "3"]),
-            ("architecture 'pipelined' is not legal for glint_effect_lambert_p12: default[:FAMILY]",
+            ("architecture 'pipelined' is not legal for glint_effect_lambert_p12: default\[:FAMILY\]",
              ["--fpga", "--effect", "lambert", "--architecture", "pipelined"]),
             ("--effect and --mask are not legal here", ["--accuracy", "--effect", "lambert"]),
             ("'cost/data/effects.json' is not there: `glint cost --fpga --effect all", ["--effect", "all"]),

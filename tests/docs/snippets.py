@@ -6,7 +6,8 @@
 A fenced block names its language: `sh` are commands, `cpp` is compiled, all others hold no command. Commands under the
 mark `<!-- run -->` are run, from the root of a copy of the tree without its history; a block under `<!-- prints -->`
 must be what the commands above it print. Of all other commands the program or script must be there, know the
-subcommand, and name every option in its help.
+subcommand, and name every option in its help. A block under `<!-- run by FILE -->` is left to that test, which names the
+document.
 """
 
 import argparse
@@ -19,7 +20,7 @@ import tempfile
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
-BLOCK = re.compile(r"(?:<!-- (run|prints) -->\n)?^```(\w*)\n(.*?)^```$", re.DOTALL | re.MULTILINE)
+BLOCK = re.compile(r"(?:<!-- (run|prints|run by [\w./]+) -->\n)?^```(\w*)\n(.*?)^```$", re.DOTALL | re.MULTILINE)
 PROGRAMS = ("glint", "glint-cosim")
 COMMAND = re.compile(r"^\s*(?:[A-Z_]+=\S+ )*((?:\./|\w+/)[\w./-]+|glint|glint-cosim|cmake|ctest|iverilog|verilator|python3|sed|time)(?= |$)")
 
@@ -115,7 +116,11 @@ class Checker:
     def page(self, path):
         printed = None
         for mark, language, text in BLOCK.findall(path.read_text()):
-            if mark == "prints":
+            if mark.startswith("run by "):
+                test = ROOT / mark[len("run by "):]
+                if not test.is_file() or path.name not in test.read_text(encoding="utf-8"):
+                    raise Failed(f"'{mark}': that file is not there or does not name {path.name}")
+            elif mark == "prints":
                 if printed != text:
                     raise Failed(f"prints\n{printed}\nand not\n{text}")
             elif language == "sh":
