@@ -62,10 +62,11 @@ module glint_nearest #(
                 .result_o      (next),
                 .not_negative_o(fits)
             );
-            /* verilator lint_off UNUSEDSIGNAL */  // nobody reads those of the last row
+            // Nobody reads those of the last row.
+            // verilator lint_off UNUSEDSIGNAL
             reg [Y_W-1:0] remainder_q;
             reg [Y_W-1:0] divisor_q;
-            /* verilator lint_on UNUSEDSIGNAL */
+            // verilator lint_on UNUSEDSIGNAL
             reg   [Q_W:0] bits_q;
             always @(posedge clk_i) begin
                 if (enable_i) begin
