@@ -64,7 +64,7 @@ def run(*command):
 
 
 def simulated(top):
-    """Vectors and mismatches of the C test bench at the RTL, and the average number of cycles of a call."""
+    """Vectors and mismatches of the C test bench at the RTL, and the calls that its simulation made."""
     log = Path("HLS_output/simulation/testbench.log")
     if not log.is_file():
         stop(1, f"'{log}' is not there: Bambu simulated nothing")

@@ -97,13 +97,14 @@ def prices(old):
 
 
 def by_hand(kernel, profile):
-    """LUTs and DSPs of the hand-written unit on the ECP5, and its clocks, by its default architecture."""
+    """LUTs, DSPs and clocks of the hand-written unit on the ECP5 by its default architecture; nothing where unpriced."""
     unit = next(unit for unit in json.loads((ROOT / "rtl/units.json").read_text())["units"]
                 if unit["name"] == f"glint_{kernel}_{profile}")
     architecture = unit["architectures"][0]
-    for point in data("fpga.json"):
-        if (point["lobe"], point["profile"], point["architecture"], point["device"], point["dsp"]) == \
-                (kernel, profile, architecture["name"], "ecp5-25k", True):
+    wanted = {"profile": profile, "architecture": architecture["name"], "device": "ecp5-25k", "dsp": True,
+              unit["kind"]: unit[unit["kind"]]}
+    for point in data("fpga.json" if unit["kind"] == "lobe" else "effects.json"):
+        if {"architecture": "default", **point}.items() >= wanted.items():
             return f"{point['luts']}, {point['dsps']}, {architecture['latency']}"
     return "-"
 

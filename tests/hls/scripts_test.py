@@ -3,7 +3,8 @@
 
 A stand-in knows the documented options of its command and refuses others; tclsh refuses a command without stand-in. The
 C simulation is real: the stand-in compiles the files that the script added, with their flags, and runs them. The keys
-of the config file are held against the documented list. The stand-ins for Bambu succeed and did too little. Exit status: 0 all as documented, 1 not.
+of the config file are held against the documented list. Stand-ins for Bambu fail, or succeed and simulate too little:
+run_hls.sh has to notice. Exit status: 0 all as documented, 1 not.
 """
 
 import os
