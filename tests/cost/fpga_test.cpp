@@ -212,6 +212,7 @@ TEST_CASE("the file of effects' prices: one of shade a mask, one of a highlight 
         Point out = point(lobe, luts);
         out.effect = name;
         out.mask = mask;
+        out.architecture.clear();
         return out;
     };
     const auto write = [&](const std::vector<Point>& points) {
@@ -220,16 +221,20 @@ TEST_CASE("the file of effects' prices: one of shade a mask, one of a highlight 
     };
     write({effect("shade", 10, "bps", 100), effect("shade", 2, "bps", 50), effect("lambert", {}, "", 10),
            effect("blinn_phong", {}, "cayley", 70)});
-    const auto points = write({effect("shade", 2, "bps", 40), effect("blinn_phong", {}, "bps", 60)});
-    REQUIRE(points.size() == 5);
+    Point family = effect("lambert", {}, "", 9);
+    family.architecture = "default:ecp5";
+    const auto points = write({effect("shade", 2, "bps", 40), effect("blinn_phong", {}, "bps", 60), family});
+    REQUIRE(points.size() == 6);
     CHECK(points[0]["lobe"] == "bps");
     CHECK(points[1]["luts"] == 70);
     CHECK_FALSE(points[2].contains("mask"));
     CHECK_FALSE(points[2].contains("lobe"));
     CHECK_FALSE(points[2].contains("architecture"));
-    CHECK(points[3]["mask"] == 2);
-    CHECK(points[3]["luts"] == 40);
-    CHECK(points[4]["mask"] == 10);
+    CHECK(points[3]["architecture"] == "default:ecp5");
+    CHECK(points[3]["luts"] == 9);
+    CHECK(points[4]["mask"] == 2);
+    CHECK(points[4]["luts"] == 40);
+    CHECK(points[5]["mask"] == 10);
     CHECK_THROWS_AS(merged(file, PriceFile::lobes, {}, {}), Error);
 }
 
