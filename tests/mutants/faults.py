@@ -183,7 +183,7 @@ class Faults:
     """A unit with faults: their list, and the library that glint-mutants loads."""
 
     def __init__(self, name, manifest, build, folder):
-        self.name, self.folder, self.build = name, Path(folder), build
+        self.name, self.folder, self.build, self.faults = name, Path(folder), build, []
         self.unit, self.architecture, self.parameters = manifest[name]
         self.module = self.unit["name"]
         if self.unit["kind"] != "lobe_axis":
@@ -209,8 +209,10 @@ opt_clean
         run("yosys", "-q", "script.ys", cwd=self.folder)
 
     def list(self, shares):
+        """The faults, numbered from 1."""
+        if self.faults:
+            return self.faults
         (self.folder / "select.v").write_text(SELECT)
-        self.faults = []
         for file, share in shares.items():
             if "glint_table_" in file:
                 faults = table_faults(file, share)
@@ -241,19 +243,23 @@ opt_clean
         self.yosys(script + "opt_clean\nwrite_verilog -noattr faults.v\n")
         (self.folder / "mutant.v").write_text(
             f"module glint_mutant (output wire [15:0] mutant_o); assign mutant_o = {self.module}.mutant_i; endmodule\n")
+        return self.compile(["faults.v", "mutant.v"], "mutant_i = static_cast<SData>(chosen_mutant);")
+
+    def compile(self, verilog, prepare=""):
+        """The library of a unit from Verilog; `prepare` is done before its first clock."""
         run(ROOT / "testbench/verilate.sh", self.folder / "cpp", "Vunit", "--top-module", self.module, "-Wno-fatal",
-            "-Wno-lint", "-Wno-UNOPTFLAT", "faults.v", "mutant.v", cwd=self.folder)
+            "-Wno-lint", "-Wno-UNOPTFLAT", *verilog, cwd=self.folder)
         cpp = self.folder / "cpp"
-        (cpp / "mutated.inc").write_text("""#include "Vunit.all.inc"
-namespace {
+        (cpp / "mutated.inc").write_text(f"""#include "Vunit.all.inc"
+namespace {{
 int chosen_mutant = 0;
-class Mutated : public Vunit {
+class Mutated : public Vunit {{
 public:
-    explicit Mutated(VerilatedContext* context) : Vunit(context) { mutant_i = static_cast<SData>(chosen_mutant); }
-};
-}  // namespace
+    explicit Mutated(VerilatedContext* context) : Vunit(context) {{ {prepare} }}
+}};
+}}  // namespace
 extern "C" void glint_choose_mutant(int number);
-extern "C" void glint_choose_mutant(int number) { chosen_mutant = number; }
+extern "C" void glint_choose_mutant(int number) {{ chosen_mutant = number; }}
 """)
         tools = json.loads((self.build / "mutants.json").read_text())
         command = [tools["launcher"]] if tools["launcher"] else []
