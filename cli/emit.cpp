@@ -148,7 +148,7 @@ void add_emit(CLI::App& app, Chosen& chosen) {
     command->add_option("--architecture", options->architecture,
                         "How the Verilog is built: iterative, radix4:r2, ... (docs/rtl.md)");
     command->add_option("--sidebands", options->sidebands,
-                        "Of the AXI4-Stream unit, beside tuser and tlast: keep, id, dest (docs/rtl.md)");
+                        "More ports of the AXI4-Stream unit: keep, id, dest (docs/rtl.md)");
     command->add_option("--target", options->target, "verilog, hls, proof or all")->capture_default_str();
     command->add_option("-o,--output", options->folder, "Folder")->capture_default_str();
     command->add_flag("--committed", options->committed, "Instead all that is generated in rtl/ (-o rtl): docs/rtl.md");

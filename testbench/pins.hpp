@@ -7,6 +7,11 @@
 
 namespace glint::testbench {
 
+/// The number that the low bits of a port hold in two's complement.
+constexpr std::int32_t sign_extended(std::uint32_t code, int bits) {
+    return static_cast<std::int32_t>(code << (32 - bits)) >> (32 - bits);
+}
+
 /// The names that all streams but AXI4-Stream share (docs/rtl.md). Tags have 31 bits.
 struct StreamPins {
     static constexpr int reset_latency = 0;  ///< clocks until valid and ready have fallen
@@ -116,7 +121,7 @@ struct AxisPins {
         m.s_axis_tuser = static_cast<std::uint16_t>(tag);
         m.s_axis_tlast = last(tag) != 0;
         if constexpr (Sidebands) {
-            m.s_axis_tkeep = kept(tag) == 0 ? 0 : 1U << (junk >> 30);
+            m.s_axis_tkeep = static_cast<std::uint8_t>(kept(tag) << (junk >> 30));
             m.s_axis_tid = static_cast<std::uint8_t>(id(tag));
             m.s_axis_tdest = static_cast<std::uint8_t>(dest(tag));
         }

@@ -26,10 +26,6 @@ constexpr std::size_t inputs_of_unit = 0 GLINT_INPUTS, outputs_of_unit = 0 GLINT
 #undef GLINT_PIN
 #undef GLINT_SIGNED_PIN
 
-constexpr std::int32_t sign_extended(std::uint32_t code, int bits) {
-    return static_cast<std::int32_t>(code << (32 - bits)) >> (32 - bits);
-}
-
 #ifdef GLINT_STREAM
 struct Pins : StreamPins {
     static constexpr std::size_t inputs = inputs_of_unit, outputs = outputs_of_unit;

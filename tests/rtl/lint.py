@@ -165,7 +165,7 @@ def lint(tool, folders):
                 done += 1
                 damaged += 1
                 listed.update(unit["files"])
-                if unit["kind"] == "lobe_axis" and unit["F"] <= 20:
+                if unit["kind"] == "lobe_axis" and unit["lobe"] == "bps" and unit["F"] <= 20:
                     silent(command(tool, unit["name"], unit["files"], {"WORD_W": 32}))
                     done += 1
                 if unit["profile"] == "p12" and unit["kind"] == "lobe":
