@@ -74,7 +74,7 @@ def try_left(faults, shares, record, step):
     name = faults.name
     left = [line for line in record if line["unit"] == name and line["kind"] != "parameter" and is_open(line)
             and STEPS.index(line.get("tried", "short")) < STEPS.index(step)]
-    if not left or step == "all" and faults.unit["kind"] == "effect":
+    if not left or step == "all" and faults.unit["effect"]:
         return record
     listed = {f["number"]: f for f in faults.list(shares)}
     for line in left:

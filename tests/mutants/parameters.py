@@ -4,7 +4,7 @@
     parameters.py --build build/release [--unit NAME] [--record FILE]
 
 Each fault is a build of its own. The lint of Verilator finds most, for widths no longer fit (rtl.lint.verilator); the
-others meet the tests of the cosimulation, in the unit's other architectures, too. A fault that no architecture turns into
+others meet the tests of the clocks (cosim.clocks) and of the cosimulation, in the unit's other architectures, too. A fault that no architecture turns into
 another netlist is equivalent. The lines go into the record of mutants.py. Exit status as there.
 """
 
@@ -15,8 +15,11 @@ import sys
 import tempfile
 from pathlib import Path
 
-from faults import RTL, Failed, Faults, Manifest, digest, order, plan
+from faults import ROOT, RTL, Failed, Faults, Manifest, digest, order, plan
 from mutants import RECORD, is_open, read_record, summary, write_record
+
+sys.path.insert(0, str(ROOT / "tests/rtl"))
+import clocks_test  # noqa: E402
 
 SHARE = 3  # faults of a file
 INSTANCE = re.compile(r"\bglint_\w+ #\((.*?)\n\s*\) \w+ \(", re.DOTALL)
@@ -106,6 +109,10 @@ def find(name, fault, manifest, build, clean):
             except Failed:
                 return {"killed_by": "lint yosys"}
             same = False
+            stated = next(a for a in unit.unit["architectures"] if a["name"] == unit.architecture)
+            measured = clocks_test.measured({**unit.unit, "files": unit.files(fault)}, stated["parameters"], folder)
+            if measured != f"latency {stated['latency']}, interval {stated['interval']}":
+                return {"killed_by": "clocks" + (f", {architecture}" if architecture else "")}
             library = unit.compile(unit.arguments(fault))
             for step in ("short", "middle", "long"):
                 judged = unit.judge(library, [0], step)[0]
