@@ -5,6 +5,7 @@
     mutants.py --build build/release --unit bps-radix4  one unit
     mutants.py --build build/release --part 1/4         a quarter of the units
     mutants.py --build build/release --sample 100       as many faults of bps p8; each is to be found as the record says
+    mutants.py --build build/release --changed          units whose files changed: are as many faults found as before?
     mutants.py --check                                  counts the record; fails for a survivor or a file that has changed
 
 Yosys lists faults (`mutate -list`) of a flattened unit: a bit that is inverted, stuck, or inverted by a neighbour. Some of
@@ -150,6 +151,8 @@ def main():
     parser.add_argument("--build", type=Path, help="a build folder with glint-mutants")
     parser.add_argument("--unit", help="one unit: " + ", ".join(plan()))
     parser.add_argument("--part", default="1/1", help="i/N: the i-th of N parts of the units")
+    parser.add_argument("--changed", action="store_true",
+                        help="units whose files have changed; fails where more of a unit's faults are open than in the record")
     parser.add_argument("--until", choices=STEPS, default="all",
                         help="ends with this step; what the short tests do not find meets the solver, then longer tests")
     parser.add_argument("--sample", type=int, metavar="N", help="N faults of bps p8: found as the record says?")
@@ -179,6 +182,8 @@ def main():
         print(f"mutants.py: FAILED: {failed}", file=sys.stderr)
         return 1
     broken = False
+    before = Counter(line["unit"] for line in read_record(RECORD) if is_open(line))
+    tried = []
     for name in names:
         try:
             with tempfile.TemporaryDirectory() as folder:
@@ -186,12 +191,20 @@ def main():
                 record = read_record(options.record)
                 if stale(name, manifest, record):
                     write_record(options.record, try_unit(faults, shares[name], record))
+                elif options.changed:
+                    continue
+                tried.append(name)
                 for step in STEPS[1:STEPS.index(options.until) + 1]:
                     record = read_record(options.record)
                     write_record(options.record, try_left(faults, shares[name], record, step))
         except Failed as failed:
             broken = True
             print(f"mutants.py: FAILED: {failed}", file=sys.stderr, flush=True)
+    if options.changed:
+        after = Counter(line["unit"] for line in read_record(options.record) if is_open(line))
+        worse = [name for name in tried if after[name] > before[name]]
+        print(f"{len(tried)} units with changed files; more faults than before are open in: {', '.join(worse) or 'none'}")
+        return 1 if worse or broken else 0
     return 1 if summary(read_record(options.record)) or broken else 0
 
 
