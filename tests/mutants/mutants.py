@@ -181,6 +181,8 @@ def main():
     except Failed as failed:
         print(f"mutants.py: FAILED: {failed}", file=sys.stderr)
         return 1
+    if options.changed:
+        write_record(options.record, read_record(RECORD))
     broken = False
     before = Counter(line["unit"] for line in read_record(RECORD) if is_open(line))
     tried = []
