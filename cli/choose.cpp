@@ -8,7 +8,6 @@
 #include "cli/commands.hpp"
 #include "cost/prices.hpp"
 #include "cost/table.hpp"
-#include "glint/architecture.hpp"
 #include "glint/error.hpp"
 #include "io/command.hpp"
 #include "io/quantity.hpp"
@@ -28,7 +27,7 @@ struct Options {
     std::string cosine = "rounded";
     std::string max_error, clock, latency_ns, throughput;
     int latency_clocks = 0, max_luts = -1, min_output_bits = 0;
-    bool no_dsp = false;
+    bool no_dsp = false, hls = false;
     std::string minimize = "luts";
     int runners_up = 5;
     std::string json;
@@ -117,12 +116,6 @@ std::string against(const Configuration& best, const Configuration& other) {
         }
     }
     return out.empty() ? "the same within a hundredth" : out;
-}
-
-std::string emit_line(const Configuration& c) {
-    const bool standard = c.architecture == default_architecture(find_lobe(c.lobe)).name;
-    return fmt::format("glint emit --lobe {} --profile {}{} --target verilog -o out", c.lobe, c.profile,
-                       standard ? "" : " --architecture " + c.architecture);
 }
 
 bool in_registry(const Configuration& c) {
@@ -251,7 +244,7 @@ int run_choose(Options options, const std::string& command) {
     io::check_writable(options.json);
     const Metric best_in = find_metric(options.minimize).metric;
     const std::vector<Wish> wanted = wishes(options);
-    Scope scope{parse_range(options.n, "--n", 1, max_n), parse_cosine(options.cosine), {}};
+    Scope scope{parse_range(options.n, "--n", 1, max_n), parse_cosine(options.cosine), {}, options.hls};
     for (const Wish& wish : wanted) {
         if (wish.constraint.metric == Metric::clock) scope.asked_mhz = wish.constraint.bound;
     }
@@ -352,13 +345,14 @@ void add_choose(CLI::App& app, Chosen& chosen) {
         ->default_str("");
     command->add_option("--throughput", o->throughput, "Results a second, at least: 40M");
     command->add_flag("--no-dsp", o->no_dsp, "Use no DSP blocks");
+    command->add_flag("--hls", o->hls, "Also the HLS kernels, as Bambu made them (hls/README.md)");
     io::add_integer(*command, "--max-luts", o->max_luts, 0, 100'000'000, "Most LUTs")->default_str("");
     io::add_integer(*command, "--min-output-bits", o->min_output_bits, 4, 28, "Fewest fraction bits of the output")
         ->default_str("");
     command->add_option("--minimize", o->minimize, "luts, latency, ns, dsps, error or another metric")
         ->capture_default_str();
     io::add_integer(*command, "--runners-up", o->runners_up, 0, 100, "Runners-up to show");
-    command->add_option("--data", o->data, "Folder of accuracy.json and fpga.json")->capture_default_str();
+    command->add_option("--data", o->data, "Folder of accuracy.json, fpga.json and hls.json")->capture_default_str();
     command->add_option("--json", o->json, "Write the same as JSON");
     command->footer("Example: glint choose --max-error 0.005 --n 8:1000 --device up5k --clock 16MHz");
     command->callback([=, &chosen] { chosen.run = [=, &chosen] { return run_choose(*o, chosen.command); }; });

@@ -124,6 +124,7 @@ void add_cost(CLI::App& app, Chosen& chosen) {
         command->add_option("--cosine", table.cosine, "Their cosine: rounded or exact")->capture_default_str(),
         command->add_option("--sort", table.sort, "Metric: error, luts, latency, ns, ...")->capture_default_str(),
         command->add_option("--pareto", table.pareto, "What decides who is dominated")->capture_default_str(),
+        command->add_flag("--hls", table.hls, "Also the HLS kernels, as Bambu made them (hls/README.md)"),
         command->add_option("--csv", table.csv, "Write the table as CSV"),
         command->add_option("--plots", table.plots, "Write its plots to this folder"),
         command->add_option("--data", table.data, "Folder of accuracy.json, fpga.json, effects.json, cpu.json")

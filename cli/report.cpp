@@ -27,25 +27,25 @@ struct Options {
     StudyInputs study;
 };
 
-/// The command that writes a unit's Verilog; null for a rival, which is no lobe.
-Json emit_line(const cost::Configuration& c) {
+/// The command that writes a unit; null for a rival, which is no lobe.
+Json emit_line_of(const cost::Configuration& c) {
     const auto all = lobes();
     const std::string name = c.lobe.substr(0, c.lobe.find(':'));
     if (std::none_of(all.begin(), all.end(), [&](const Lobe& lobe) { return lobe.name == name; })) return nullptr;
-    return fmt::format("glint emit --lobe {} --profile {} --architecture {} -o out", c.lobe, c.profile, c.architecture);
+    return cost::emit_line(c);
 }
 
 /// Every price with its error; those of effects as they are.
 Json cost_json(const std::string& folder) {
     const cost::Prices data = cost::read_cost_data(folder);
-    const cost::Scope scope{{8, 1000, 1}, cost::Cosine::rounded, {}};  // the exponents that the papers speak of
+    const cost::Scope scope{{8, 1000, 1}, cost::Cosine::rounded, {}, true};  // the exponents that the papers speak of
     std::vector<cost::Configuration> all = cost::join(data, scope, "");
     cost::sort_by(all, cost::Metric::error);
     Json out = cost::table_json(all, cost::common_axes, data,
                                 data.cpu ? data.cpu->prices : std::vector<cost::CpuPrice>(), scope);
     std::set<std::string> with_dsps;
     for (std::size_t i = 0; i < all.size(); ++i) {
-        out["configurations"][i]["emit"] = emit_line(all[i]);
+        out["configurations"][i]["emit"] = emit_line_of(all[i]);
         if (all[i].clock_mhz && all[i].dsps > 0) with_dsps.insert(all[i].device);
     }
     out["tools"] = data.tools;
@@ -62,6 +62,8 @@ Json cost_json(const std::string& folder) {
         cost::read_effect_prices(effects);  // refuses what is not legal
         out["effects"] = io::read_json(effects, effects);
     }
+    const std::string hls = (std::filesystem::path(folder) / "hls.json").string();
+    out["hls"] = std::filesystem::is_regular_file(hls) ? Json(io::read_json(hls, hls)) : Json();
     return out;
 }
 

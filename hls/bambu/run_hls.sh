@@ -10,6 +10,8 @@
 # machines. The environment chooses:
 #   CXX g++     BAMBU bambu     BAMBU_DEVICE xc7z020-1clg484-VVD     BAMBU_PERIOD clock period in ns, 10
 #   GLINT_VECTORS the folder of the vectors, <repository>/hls/vectors
+#   GLINT_DIVIDE  the form of the divider: ADDING, RADIX4, RECIPROCAL (hls/README.md); not set: restoring
+#   NEXTPNR       nextpnr-ecp5, for the clock after route; none where there is no such program
 set -eu
 
 hls=$(cd "$(dirname "$0")/.." && pwd)
@@ -32,11 +34,13 @@ if [ ! -r "$vectors" ]; then
     echo "run_hls.sh: cannot read '$vectors': write it with \`glint vectors --format tv\`" >&2
     exit 2
 fi
+vectors=$(realpath "$vectors")
+divide=-DGLINT_DIVIDE_${GLINT_DIVIDE:-RESTORING}
 mkdir -p "$top"
 cd "$top"
 
 echo "C simulation"
-"${CXX:-g++}" -std=c++14 -O1 -DGLINT_TOP="$top" "$hls/generated/$top.cpp" "$hls/testbench.cpp" -o testbench
+"${CXX:-g++}" -std=c++14 -O1 "$divide" -DGLINT_TOP="$top" "$hls/generated/$top.cpp" "$hls/testbench.cpp" -o testbench
 ./testbench "$top" "$vectors"
 
 bambu=${BAMBU:-bambu}
@@ -47,10 +51,10 @@ fi
 
 echo "Synthesis and cosimulation (bambu.log)"
 rm -rf HLS_output results.txt "$top.v"
-"$bambu" "$hls/generated/$top.cpp" --top-fname="$top" --compiler=I386_CLANG13 --std=c++14 -O2 \
+"$bambu" "$hls/generated/$top.cpp" --top-fname="$top" --compiler=I386_CLANG13 --std=c++14 -O2 "$divide" \
     --pipelining="$top"=1 --generate-interface=INFER --reset-type=sync --reset-level=low \
     --device-name="${BAMBU_DEVICE:-xc7z020-1clg484-VVD}" --clock-period="${BAMBU_PERIOD:-10}" \
-    --generate-tb="$hls/testbench.cpp" --tb-extra-gcc-options="-std=c++14 -DGLINT_TOP=$top" \
+    --generate-tb="$hls/testbench.cpp" --tb-extra-gcc-options="-std=c++14 $divide -DGLINT_TOP=$top" \
     --tb-arg="$top" --tb-arg="$vectors" --simulate --simulator=VERILATOR >bambu.log 2>&1 || {
     echo "run_hls.sh: Bambu failed; the end of bambu.log:" >&2
     tail -5 bambu.log >&2

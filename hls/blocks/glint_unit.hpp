@@ -1,9 +1,9 @@
-// glint_unit: what the kernels of all lobes share: the corrections, the divider, the result word, the top functions.
+// glint_unit: what the kernels of all lobes share: the corrections, products of fractions, powers, the result word.
 // Names and arithmetic: docs/contract.md.
 #ifndef GLINT_UNIT_HPP
 #define GLINT_UNIT_HPP
 
-#include "glint_int.hpp"
+#include "glint_divide.hpp"
 
 #include "glint_names_begin.hpp"  // after all others
 
@@ -32,34 +32,6 @@ Corrected<F> correct(uint<10> n, sint<F + 2> cos_code) {
     in.negative = below;
     in.clamped = none || below || above;
     return in;
-}
-
-/// quotient = floor((D - below) 2^S / D) for 0 <= below <= D, D > 0: S + 1 steps, one quotient bit each. A step is one
-/// addition: it takes D off a partial remainder that is not negative and adds D to a negative one, and the sign of the
-/// sum is the bit (division without restoring). The first sum, of D - below and -D, is -below. The partial remainder is
-/// in -D .. D - 1, so all is modulo 2^(D_W + 1). Doubled it is even: the 1 that -D = ~D + 1 wants stands in its lowest
-/// bit.
-template <int S, int D_W>
-uint<S + 1> divide_below(uint<D_W> below, uint<D_W> D) {
-    const uint<D_W + 1> plus = D;
-    const uint<D_W + 1> minus = to_uint<D_W + 1>(~plus);
-    uint<D_W + 1> partial = to_uint<D_W + 1>(to_uint<D_W + 1>(0) - to_uint<D_W + 1>(below));
-    uint<S + 1> quotient = to_uint<S + 1>(below == 0);
-    GLINT_UNROLL
-    for (int step = 1; step <= S; ++step) {
-        GLINT_UNROLL_VITIS
-        const bool subtract = (partial >> D_W) == 0;
-        const uint<D_W + 1> doubled = to_uint<D_W + 1>(to_uint<D_W + 1>(partial << 1) | to_uint<D_W + 1>(subtract));
-        partial = to_uint<D_W + 1>(doubled + (subtract ? minus : plus));
-        quotient = to_uint<S + 1>(to_uint<S + 1>(quotient << 1) | to_uint<S + 1>((partial >> D_W) == 0));
-    }
-    return quotient;
-}
-
-/// floor(x 2^S / D) for 0 <= x <= D, D > 0.
-template <int S, int D_W>
-uint<S + 1> divide(uint<D_W> x, uint<D_W> D) {
-    return divide_below<S, D_W>(to_uint<D_W>(D - x), D);
 }
 
 /// x y for x <= 2^X and y <= 2^Y: X-by-Y bits of a multiplier. Where a factor has its top bit, its other bits are 0, so

@@ -220,6 +220,23 @@ class Choose(CostCase):
         self.equal(self.best("--max-error", "0.03", "--throughput", "70M"), ("cayley", "p12", "restoring"))
         self.equal(self.best("--device", "up5k", "--min-output-bits", "12"), ("blinn_phong", "p12", "pipelined"))
 
+    def test_hls(self):
+        """Kernels count only where they are asked for, with an adder cell as two LUTs, and are emitted as kernels."""
+        kernel = {"kernel": "cayley", "profile": "p12", "lut4": 300, "ccu2c": 50, "mult18": 5, "dp16kd": 0, "ff": 90,
+                  "cycles": 19, "interval": 1, "clock_mhz": 70.0}
+        unit = point("bps", "p12", "restoring", "ecp5-25k", 1166, 115.0, 25, dsps=4)
+        self.write("fpga", {"format": "glint-cost-fpga-1", "tools": {}, "points": [*POINTS, unit]})
+        self.write("hls", {"format": "glint-cost-hls-1", "points": [
+            kernel, {**kernel, "form": "radix4", "lut4": 500, "cycles": 9}, {**kernel, "kernel": "effect_ward"}]})
+        self.equal(self.best("--device", "ecp5"), ("bps", "p12", "restoring"))
+        found = self.chosen("--device", "ecp5", "--hls")
+        self.equal((found["configurations"], found["best"]["architecture"], found["best"]["luts"]), (3, "hls", 400))
+        self.equal(found["best"]["emit"], "glint emit --lobe cayley --profile p12 --target hls -o out")
+        self.near(found["best"]["error"], 0.000793, 1e-5)
+        self.equal(self.best("--device", "ecp5", "--hls", "--minimize", "latency"), ("cayley", "p12", "hls:radix4"))
+        self.write("hls", {"format": "glint-cost-hls-1", "points": [{**kernel, "cycles": 0}]})
+        self.refused("cycles.* 0", "choose", "--device", "ecp5")
+
     def test_units(self):
         for text in ("48", "48MHz", "48e6Hz", "48000kHz", "0.048GHz"):
             found = self.chosen("--max-error", "0.005", "--clock", text)

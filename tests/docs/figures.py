@@ -5,7 +5,7 @@
     figures.py --glint GLINT --write    writes them
 
 `<!-- lobes -->`: every lobe at p12, `<!-- profiles of bps -->`: what a sweep of all inputs finds, `<!-- prices -->`: the
-units that its rows name; `<!-- hls -->`: what Bambu made of every kernel. The last column of the lobes and the first of
+units that its rows name; `<!-- hls -->`: what Bambu made of every kernel, `<!-- forms -->`: of the forms of the divider. The last column of the lobes and the first of
 the prices are kept: they are words.
 """
 
@@ -18,7 +18,7 @@ import tempfile
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
-MARKED = re.compile(r"(<!-- (lobes|profiles of bps|prices|hls) -->\n)(.*?)(<!-- end -->\n)", re.DOTALL)
+MARKED = re.compile(r"(<!-- (lobes|profiles of bps|prices|hls|forms) -->\n)(.*?)(<!-- end -->\n)", re.DOTALL)
 
 
 def data(name):
@@ -97,7 +97,7 @@ def prices(old):
 
 
 def by_hand(kernel, profile):
-    """LUTs, DSPs and clocks of the hand-written unit on the ECP5 by its default architecture; nothing where unpriced."""
+    """LUTs, DSPs, clocks and MHz of the hand-written unit on the ECP5 by its default architecture; nothing where unpriced."""
     unit = next(unit for unit in json.loads((ROOT / "rtl/units.json").read_text())["units"]
                 if unit["name"] == f"glint_{kernel}_{profile}")
     architecture = unit["architectures"][0]
@@ -105,15 +105,30 @@ def by_hand(kernel, profile):
               unit["kind"]: unit[unit["kind"]]}
     for point in data("fpga.json" if unit["kind"] == "lobe" else "effects.json"):
         if {"architecture": "default", **point}.items() >= wanted.items():
-            return f"{point['luts']}, {point['dsps']}, {architecture['latency']}"
+            return f"{point['luts']}, {point['dsps']}, {architecture['latency']}, {point['clock_mhz']:.0f}"
     return "-"
 
 
+def cells(point):
+    routed = point["clock_mhz"]
+    return [str(point["cycles"]), str(point["lut4"]), str(point["ccu2c"]), str(point["mult18"]), f"{point['mhz']:.0f}",
+            "-" if routed is None else f"{routed:.0f}"]
+
+
 def hls(_):
-    rows = [[f"`{p['kernel']}`", p["profile"], str(p["cycles"]), str(p["lut4"]), str(p["ccu2c"]), str(p["mult18"]),
-             f"{p['mhz']:.0f}", by_hand(p["kernel"], p["profile"])] for p in data("hls.json")]
-    return [["kernel", "profile", "cycles", "LUT4", "CCU2C", "MULT18", "MHz", "by hand: LUTs, DSPs, clocks"],
-            ["---", "---", "--:", "--:", "--:", "--:", "--:", "--:"], *rows]
+    rows = [[f"`{p['kernel']}`", p["profile"], *cells(p), by_hand(p["kernel"], p["profile"])]
+            for p in data("hls.json") if "form" not in p]
+    return [["kernel", "profile", "cycles", "LUT4", "CCU2C", "MULT18", "MHz", "routed", "by hand: LUTs, DSPs, clocks, MHz"],
+            ["---", "---", "--:", "--:", "--:", "--:", "--:", "--:", "--:"], *rows]
+
+
+def forms(_):
+    points = data("hls.json")
+    tried = {(p["kernel"], p["profile"]) for p in points if "form" in p}
+    rows = [[f"`{p['kernel']}`", p["profile"], p.get("form", "restoring"), *cells(p)]
+            for p in points if (p["kernel"], p["profile"]) in tried]
+    return [["kernel", "profile", "form", "cycles", "LUT4", "CCU2C", "MULT18", "MHz", "routed"],
+            ["---", "---", "---", "--:", "--:", "--:", "--:", "--:", "--:"], *rows]
 
 
 def main():
@@ -122,7 +137,7 @@ def main():
     parser.add_argument("--write", action="store_true")
     options = parser.parse_args()
     documents = {"README.md": {"lobes": lobes, "profiles of bps": lambda _: profiles(options.glint), "prices": prices},
-                 "hls/README.md": {"hls": hls}}
+                 "hls/README.md": {"hls": hls, "forms": forms}}
     for name, makers in documents.items():
         text = (ROOT / name).read_text()
         made = MARKED.sub(lambda m: m[1] + table(makers[m[2]](m[3])) + m[4], text)

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Every HLS kernel, compiled with every kind of integers that is to be had here, on a million vectors a profile.
+"""Every HLS kernel, compiled with every kind of integers and form of the divider that is to be had here, on a million vectors a profile.
 
     types_test.py GLINT [--count N] [VARIANT ...]       e.g. types_test.py build/release/glint ap:g++ ubsan:clang++
 
@@ -20,8 +20,9 @@ HLS4ML = "hls4ml==1.3.0"
 PROFILES = ("p8", "p12", "p16")
 WARNINGS = ("-Wall", "-Wextra", "-Wconversion", "-Werror")
 VENDORS = {"ap": "GLINT_INT_AP", "ac": "GLINT_INT_AC"}
+FORMS = ("adding", "radix4", "reciprocal")  # of the divider
 VARIANTS = ("m32:g++", "ubsan:g++", "ubsan:clang++", "bitint:clang++", "bitint-ubsan:clang++", "ap:g++", "ap:clang++",
-            "ac:g++", "ac:clang++")
+            "ac:g++", "ac:clang++", *(f"{form}:g++" for form in FORMS))
 
 
 def vendor_headers(folder):
@@ -45,6 +46,8 @@ def flags(variant, headers):
         options += ["-fsanitize=undefined", "-fno-sanitize-recover=all"]
     if "bitint" in kind:
         options += ["-DGLINT_INT_BITINT"]
+    if kind in FORMS:
+        options += [f"-DGLINT_DIVIDE_{kind.upper()}"]
     if kind == "m32":
         options += ["-m32"]
     if kind in VENDORS:
