@@ -199,6 +199,8 @@ std::vector<std::string> names(const List& list) {
 }  // namespace
 
 NB_MODULE(_core, module) {
+    // An interpreter inside a simulator ends without clearing its modules; that is no leak of ours.
+    nb::set_leak_warnings(false);
     using Release = nb::call_guard<nb::gil_scoped_release>;
     nb::exception<Error>(module, "Error", PyExc_ValueError);
     module.attr("version") = GLINT_VERSION;

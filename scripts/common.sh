@@ -57,6 +57,7 @@ install_missing() {
         need nextpnr-ice40 command_there nextpnr-ice40
         need z3 command_there z3
         need sollya command_there sollya
+        need libsystemc-dev file_there '/usr/include/systemc'
         need tcl command_there tclsh
         need clang-format command_there clang-format
         # Ubuntu has a snap for it: the test of the page in a browser is left out there.

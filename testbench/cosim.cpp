@@ -12,6 +12,13 @@
 
 namespace glint::testbench {
 
+namespace {
+
+/// Ends a run that asks for no more than its first mismatch.
+struct Ended {};
+
+}  // namespace
+
 std::string_view name(Test test) {
     static constexpr std::array<std::string_view, 4> names{"stream", "exhaustive", "illegal", "reset"};
     return names[static_cast<std::size_t>(test)];
@@ -19,6 +26,12 @@ std::string_view name(Test test) {
 
 std::uint64_t derived_seed(std::uint64_t seed, std::uint64_t part) {
     return Random(seed ^ (part * 0xd134'2543'de82'ef95ULL)).next();
+}
+
+std::uint64_t scattered(std::uint64_t i, std::uint64_t count) {
+    std::uint64_t step = count / 2 + count / 8 + 1;
+    while (std::gcd(step, count) != 1) ++step;
+    return i * step % count;
 }
 
 void Stimulus::resize(std::size_t ports, std::size_t count) {
@@ -135,6 +148,7 @@ void Checker::count() {
 void Checker::fail(std::uint64_t place, Failure failure) {
     log_.failures.try_emplace(place, std::move(failure));
     if (log_.failures.size() > 8) log_.failures.erase(std::prev(log_.failures.end()));
+    if (request_.to_first_mismatch) throw Ended();
 }
 
 std::string Checker::description(const Stimulus& stimulus, const std::vector<std::size_t>& wrong) const {
@@ -167,10 +181,13 @@ double run_plan(const Plan& plan, const EffectModel& model, const UnitKind& kind
     request.shard.check(plan.tasks);
     const std::uint64_t first = request.shard.first(plan.tasks);
     const auto start = std::chrono::steady_clock::now();
-    parallel_tasks(request.shard.end(plan.tasks) - first, request.threads, progress, [&] {
-        auto checker = std::make_shared<Checker>(model, kind, request, log);
-        return [checker, first, worker = plan.worker(*checker)](std::uint64_t task) { worker(first + task); };
-    });
+    try {
+        parallel_tasks(request.shard.end(plan.tasks) - first, request.threads, progress, [&] {
+            auto checker = std::make_shared<Checker>(model, kind, request, log);
+            return [checker, first, worker = plan.worker(*checker)](std::uint64_t task) { worker(first + task); };
+        });
+    } catch (const Ended&) {
+    }
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 

@@ -34,14 +34,19 @@ struct Request {
     double stall_probability = 0.0;
     std::uint64_t seed = 1;
     unsigned threads = 0;
-    Shard shard;             ///< of the tasks
-    std::string trace_file;  ///< waveform of the first mismatch's neighbourhood; empty: none
+    Shard shard;                     ///< of the tasks
+    bool to_first_mismatch = false;  ///< the run ends with the first burst that is wrong
+    std::string trace_file;          ///< waveform of the first mismatch's neighbourhood; empty: none
 };
 
 inline constexpr std::uint64_t burst_length = 4096;
 
 /// A seed of its own for each part of a run, so that any part can be run again by itself.
 std::uint64_t derived_seed(std::uint64_t seed, std::uint64_t part);
+
+/// A permutation of 0 .. count - 1 that brings far ones together: a stall or a delay that is wrong shows only where
+/// neighbours differ.
+std::uint64_t scattered(std::uint64_t i, std::uint64_t count);
 
 /// The inputs of one burst, a column per port, and where its random stalls start.
 struct Stimulus {

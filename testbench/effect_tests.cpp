@@ -107,9 +107,9 @@ Bursts illegal_bursts(const EffectModel& model) {
     }
     if (inputs == 0) throw Error(fmt::format("--illegal is not legal for {}: its ports carry none", model.effect()));
     return bursts_of(inputs, model.inputs().size(),
-                     [&model, parts](std::uint64_t k, Random& random, Stimulus& stimulus, std::size_t i) {
+                     [&model, parts, inputs](std::uint64_t k, Random& random, Stimulus& stimulus, std::size_t i) {
                          random_row(model, random, stimulus, i);
-                         auto left = static_cast<std::int64_t>(k);
+                         auto left = static_cast<std::int64_t>(scattered(k, inputs));
                          for (const Part& part : parts) {
                              if (left < part.count) return stimulus.set(i, part.port, part.first + left);
                              left -= part.count;

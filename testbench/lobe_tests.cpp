@@ -52,34 +52,42 @@ Plan random_plan(const GoldenModel& model, const Request& request, std::uint64_t
             }};
 }
 
-/// The illegal inputs, cut into bursts of one n each.
-std::vector<std::pair<int, Range>> illegal_bursts(const Profile& profile) {
-    constexpr auto length = static_cast<std::int64_t>(burst_length);
-    const std::int64_t one = profile.one();
-    std::vector<std::pair<int, Range>> out;
-    const auto add = [&](int n, std::int64_t first, std::int64_t last) {
-        for (; first <= last; first += length) {
-            out.emplace_back(n, Range{first, std::min<std::int64_t>(last, first + length - 1), 1});
-        }
+/// The illegal inputs, each once: of each n a first code and how many follow.
+struct IllegalInputs {
+    struct Part {
+        int n;
+        std::int64_t first, count;
     };
-    add(0, -2 * one, 2 * one - 1);
-    for (const int n : {1, 2, 50, 1000, 1023}) {
-        add(n, -2 * one, -1);
-        add(n, one + 1, 2 * one - 1);
+    explicit IllegalInputs(const Profile& profile) {
+        const std::int64_t one = profile.one();
+        parts.push_back({0, -2 * one, 4 * one});
+        for (const int n : {1, 2, 50, 1000, 1023}) {
+            parts.push_back({n, -2 * one, 2 * one});
+            parts.push_back({n, one + 1, one - 1});
+        }
+        for (const Part& part : parts) count += static_cast<std::uint64_t>(part.count);
     }
-    return out;
-}
+    std::pair<int, std::int64_t> operator[](std::uint64_t i) const {
+        auto left = static_cast<std::int64_t>(scattered(i, count));
+        auto part = parts.begin();
+        for (; left >= part->count; ++part) left -= part->count;
+        return {part->n, part->first + left};
+    }
+    std::vector<Part> parts;
+    std::uint64_t count = 0;
+};
 
 Plan illegal_plan(const GoldenModel& model, const Request& request) {
-    const auto bursts = illegal_bursts(model.profile());
-    return {bursts.size(), [&request, bursts](Checker& checker) {
-                return [&, bursts](std::uint64_t task) {
-                    const auto& [n, codes] = bursts[task];
+    const IllegalInputs inputs(model.profile());
+    return {(inputs.count + burst_length - 1) / burst_length, [&request, inputs](Checker& checker) {
+                return [&, inputs](std::uint64_t task) {
+                    const std::uint64_t first = task * burst_length;
                     Stimulus stimulus;
-                    stimulus.resize(2, static_cast<std::size_t>(codes.size()));
+                    stimulus.resize(2, static_cast<std::size_t>(std::min(burst_length, inputs.count - first)));
                     for (std::size_t i = 0; i < stimulus.tags.size(); ++i) {
+                        const auto& [n, code] = inputs[first + i];
                         stimulus.set(i, n_port, n);
-                        stimulus.set(i, cos_port, codes[static_cast<std::int64_t>(i)]);
+                        stimulus.set(i, cos_port, code);
                     }
                     number(stimulus, derived_seed(request.seed, task));
                     checker.run(stimulus, task);

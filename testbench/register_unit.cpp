@@ -1,6 +1,6 @@
 // One Verilated unit, compiled once for each: what it is and the names of its ports are macros that the build takes
 // from rtl/units.json. With GLINT_DRAWS it is a library of its own that glint-cosim loads to draw a waveform
-// (waveform.hpp).
+// (waveform.hpp). With GLINT_LOADED it is such a library that does not draw (tests/mutants).
 //
 // Verilator's own C++ is part of this file, for headers cost more than a small unit. Sanitizers watch the rest of it:
 // they would take minutes to compile generated functions of a thousand lines.
@@ -50,7 +50,7 @@ using Pins = AxisPins;
 
 }  // namespace
 
-#ifdef GLINT_DRAWS
+#if defined(GLINT_DRAWS) || defined(GLINT_LOADED)
 extern "C" Unit* glint_make_unit(const int* bits, std::size_t count, std::uint64_t seed);
 
 extern "C" Unit* glint_make_unit(const int* bits, std::size_t count, std::uint64_t seed) {
