@@ -20,6 +20,7 @@ struct Options {
     std::string lobe = "bps";
     std::string profile = "p12";
     std::string architecture;
+    std::string sidebands;
     std::string target = "all";
     std::string folder = ".";
     bool committed = false;
@@ -107,10 +108,11 @@ int run_emit(const Options& options) {
     const auto add = [&](std::vector<GeneratedFile> more) {
         std::move(more.begin(), more.end(), std::back_inserter(files));
     };
+    const Sidebands sidebands = parse_sidebands(options.sidebands);
     if (!options.effect.empty()) {
         const Effect& effect = find_effect(options.effect);
         for (const std::string& text : io::split_profiles(options.profile)) {
-            add(effect.emit(parse_profile(text), options.lobe));
+            add(with_axi_stream(effect.emit(parse_profile(text), options.lobe), sidebands));
         }
         write(files, options);
         return io::success;
@@ -120,7 +122,9 @@ int run_emit(const Options& options) {
     const Architecture architecture =
         options.architecture.empty() ? default_architecture(lobe) : parse_architecture(lobe, options.architecture);
     const std::vector<std::string> profiles = io::split_profiles(options.profile);
-    for (const std::string& text : profiles) add(lobe.emit(choice.profile(text), architecture));
+    for (const std::string& text : profiles) {
+        add(with_axi_stream(lobe.emit(choice.profile(text), architecture), sidebands));
+    }
     write(files, options);
     for (const std::string& text : profiles) {
         const Profile profile = choice.profile(text);
@@ -143,6 +147,8 @@ void add_emit(CLI::App& app, Chosen& chosen) {
         ->capture_default_str();
     command->add_option("--architecture", options->architecture,
                         "How the Verilog is built: iterative, radix4:r2, ... (docs/rtl.md)");
+    command->add_option("--sidebands", options->sidebands,
+                        "More ports of the AXI4-Stream unit: keep, id, dest (docs/rtl.md)");
     command->add_option("--target", options->target, "verilog, hls, proof or all")->capture_default_str();
     command->add_option("-o,--output", options->folder, "Folder")->capture_default_str();
     command->add_flag("--committed", options->committed, "Instead all that is generated in rtl/ (-o rtl): docs/rtl.md");

@@ -159,7 +159,7 @@ io::RunResult test_lobe(const GoldenModel& model, const UnitKind& kind, const Re
     // One result a clock, but for the iterative divider, which takes the next input when a result leaves the core.
     const std::uint64_t interval =
         kind.architecture.starts_with("iterative")
-            ? static_cast<std::uint64_t>(log.timing.most_latency - (kind.unit == "axis" ? axis_latency : 0))
+            ? static_cast<std::uint64_t>(log.timing.most_latency - (kind.unit == "core" ? 0 : axis_latency))
             : 1;
     std::string own;
     if (log.mismatches == 0 && log.timing.interval_clocks != log.timing.intervals * interval) {

@@ -156,16 +156,19 @@ std::vector<int> split_masks(const std::string& text) {
 int cosim_effects(const Options& options, const std::string& command) {
     struct Work {
         const Effect* effect;
-        std::unique_ptr<EffectModel> model;
+        std::shared_ptr<const EffectModel> model;
         const UnitKind* kind;
     };
     std::vector<Work> work;
     for (const Effect* effect : split_effects(options.effect)) {
         for (const std::string& profile : io::split_profiles(options.profile)) {
             for (const int mask : split_masks(options.mask)) {
-                auto model = effect->golden(parse_profile(profile), options.lobe);
-                const UnitKind& kind = find_effect_unit(effect->name, options.lobe, model->profile().name, mask);
-                work.push_back({effect, std::move(model), &kind});
+                const std::shared_ptr<const EffectModel> model = effect->golden(parse_profile(profile), options.lobe);
+                for (const std::string& unit : io::split_list(options.unit)) {
+                    const std::string& name = model->profile().name;
+                    const UnitKind& kind = find_effect_unit(effect->name, options.lobe, name, mask, unit);
+                    work.push_back({effect, model, &kind});
+                }
             }
         }
     }
@@ -219,8 +222,7 @@ int main(int argc, char** argv) {
     app.add_option("--mask", options.mask, "Units of shade with these MASKs")->needs(effect);
     app.add_option("--lobe", options.lobe, "Lobes, separated by commas, or all")->capture_default_str();
     app.add_option("--profile", options.profile, "Profiles, separated by commas")->capture_default_str();
-    CLI::Option* unit =
-        app.add_option("--unit", options.unit, "core, axis or both, separated by a comma")->capture_default_str();
+    app.add_option("--unit", options.unit, "core, axis or both, separated by a comma")->capture_default_str();
     app.add_option("--architecture", options.architecture,
                    "Architectures, by commas, or all; without it the default one");
     CLI::Option* exhaustive = app.add_flag("--exhaustive", options.exhaustive, "Every legal input");
@@ -254,7 +256,7 @@ int main(int argc, char** argv) {
     count->excludes(n)->excludes(cos)->excludes(illegal)->excludes(resets);
     illegal->excludes(n)->excludes(cos)->excludes(resets);
     resets->excludes(n)->excludes(cos);
-    effect->excludes(n)->excludes(cos)->excludes(unit)->excludes(shard);
+    effect->excludes(n)->excludes(cos)->excludes(shard);
     app.footer("Example: glint-cosim --lobe bps --profile p8,p12,p16 --exhaustive --json cosim.json");
     const std::string command = io::command_line(argc, argv);
     return io::run(app, argc, argv, [&] {

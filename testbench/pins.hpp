@@ -3,8 +3,14 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 
 namespace glint::testbench {
+
+/// The number that the low bits of a port hold in two's complement.
+constexpr std::int32_t sign_extended(std::uint32_t code, int bits) {
+    return static_cast<std::int32_t>(code << (32 - bits)) >> (32 - bits);
+}
 
 /// The names that all streams but AXI4-Stream share (docs/rtl.md). Tags have 31 bits.
 struct StreamPins {
@@ -50,13 +56,44 @@ struct StreamPins {
     }
 };
 
-/// Ports of the AXI4-Stream unit of a lobe. tuser carries the tag; tlast one bit of a mix of it, so that neither a
-/// stuck nor a shifted tlast goes unseen.
+/// Ports of an AXI4-Stream unit. A word of 32 bits holds each number; where `Packed`, one holds them all (docs/rtl.md).
+/// tuser carries the tag; the other sidebands and tlast bits of a mix of it, so that neither a stuck nor a shifted one
+/// goes unseen.
+template <std::size_t Inputs, std::size_t Outputs, bool Packed, bool Sidebands>
 struct AxisPins {
-    static constexpr std::size_t inputs = 2, outputs = 1;
+    static constexpr std::size_t inputs = Inputs, outputs = Outputs;
     static constexpr int reset_latency = 1;  ///< every output is a register
-    static constexpr std::uint32_t last(std::uint32_t tag) { return (tag * 0x9e37'79b9U) >> 31; }
-    static constexpr std::uint32_t tag(std::uint32_t tag) { return (tag & 0xffffU) | last(tag) << 16; }
+    static constexpr std::uint32_t mixed(std::uint32_t tag) { return tag * 0x9e37'79b9U; }
+    static constexpr std::uint32_t last(std::uint32_t tag) { return mixed(tag) >> 31; }
+    static constexpr std::uint32_t kept(std::uint32_t tag) { return mixed(tag) >> 30 & 1; }
+    static constexpr std::uint32_t id(std::uint32_t tag) { return mixed(tag) >> 25 & 0x1f; }
+    static constexpr std::uint32_t dest(std::uint32_t tag) { return mixed(tag) >> 21 & 0xf; }
+    static constexpr std::uint32_t packed(std::uint32_t user, std::uint32_t last, std::uint32_t keep, std::uint32_t id,
+                                          std::uint32_t dest) {
+        return user | last << 16 | keep << 17 | id << 21 | dest << 26;
+    }
+    static constexpr std::uint32_t tag(std::uint32_t tag) {
+        if (!Sidebands) return packed(tag & 0xffffU, last(tag), 0, 0, 0);
+        return packed(tag & 0xffffU, last(tag), kept(tag) * 0xf, id(tag), dest(tag));
+    }
+
+    /// The k-th 32 bits of a port.
+    template <class Pin>
+    static void set_word(Pin& pin, std::size_t k, std::uint32_t word) {
+        if constexpr (std::is_integral_v<Pin>) {
+            pin = static_cast<Pin>((pin & ~(std::uint64_t{0xffff'ffff} << 32 * k)) | std::uint64_t{word} << 32 * k);
+        } else {
+            pin[k] = word;
+        }
+    }
+    template <class Pin>
+    static std::uint32_t word(const Pin& pin, std::size_t k) {
+        if constexpr (std::is_integral_v<Pin>) {
+            return static_cast<std::uint32_t>(pin >> 32 * k);
+        } else {
+            return pin[k];
+        }
+    }
 
     template <class Model>
     static void clock(Model& m, bool level) {
@@ -67,12 +104,27 @@ struct AxisPins {
         m.aresetn = !active;
     }
     template <class Model>
-    static void input(Model& m, const std::int32_t* const* in, std::size_t i, const std::uint32_t*, std::uint32_t tag) {
+    static void input(Model& m, const std::int32_t* const* in, std::size_t i, const std::uint32_t* mask,
+                      std::uint32_t tag) {
         // The bits between the fields are ignored by contract: fill them with what would show if they were not.
-        const std::uint32_t low = static_cast<std::uint32_t>(in[0][i]) | (tag * 0x85eb'ca6bU & ~0x3ffU);
-        m.s_axis_tdata = std::uint64_t{static_cast<std::uint32_t>(in[1][i])} << 32 | low;
+        const std::uint32_t junk = tag * 0x85eb'ca6bU;
+        if constexpr (Packed) {  // n and cos
+            const std::uint32_t fields = static_cast<std::uint32_t>(in[0][i]) | static_cast<std::uint32_t>(in[1][i])
+                                                                                    << 10;
+            const std::uint32_t used = mask[0] | mask[1] << 10;
+            m.s_axis_tdata = (fields & used) | (junk & ~used);
+        } else {
+            for (std::size_t k = 0; k < Inputs; ++k) {
+                set_word(m.s_axis_tdata, k, (static_cast<std::uint32_t>(in[k][i]) & mask[k]) | (junk & ~mask[k]));
+            }
+        }
         m.s_axis_tuser = static_cast<std::uint16_t>(tag);
         m.s_axis_tlast = last(tag) != 0;
+        if constexpr (Sidebands) {
+            m.s_axis_tkeep = static_cast<std::uint8_t>(kept(tag) << (junk >> 30));
+            m.s_axis_tid = static_cast<std::uint8_t>(id(tag));
+            m.s_axis_tdest = static_cast<std::uint8_t>(dest(tag));
+        }
     }
     template <class Model>
     static void input_valid(Model& m, bool valid) {
@@ -91,16 +143,16 @@ struct AxisPins {
         m.m_axis_tready = ready;
     }
     template <class Model>
-    static void output(const Model& m, std::int32_t* values) {
-        values[0] = static_cast<std::int32_t>(m.m_axis_tdata & 0x7fff'ffffU);
-    }
-    template <class Model>
     static bool clamped(const Model& m) {
-        return m.m_axis_tdata >> 31;
+        return word(m.m_axis_tdata, 0) >> 31;
     }
     template <class Model>
     static std::uint32_t output_tag(const Model& m) {
-        return m.m_axis_tuser | static_cast<std::uint32_t>(m.m_axis_tlast) << 16;
+        if constexpr (Sidebands) {
+            return packed(m.m_axis_tuser, m.m_axis_tlast, m.m_axis_tkeep, m.m_axis_tid, m.m_axis_tdest);
+        } else {
+            return packed(m.m_axis_tuser, m.m_axis_tlast, 0, 0, 0);
+        }
     }
 };
 

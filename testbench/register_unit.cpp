@@ -12,19 +12,23 @@
 #pragma clang attribute pop
 #endif
 
+#include <string_view>
+
 #include "pins.hpp"
 #include "simulated_unit.hpp"
 
 namespace glint::testbench {
 namespace {
 
-#ifdef GLINT_INPUTS
-struct Pins : StreamPins {
 #define GLINT_PIN(name) +1
 #define GLINT_SIGNED_PIN(name, bits) +1
-    static constexpr std::size_t inputs = 0 GLINT_INPUTS, outputs = 0 GLINT_OUTPUTS;
+constexpr std::size_t inputs_of_unit = 0 GLINT_INPUTS, outputs_of_unit = 0 GLINT_OUTPUTS;
 #undef GLINT_PIN
 #undef GLINT_SIGNED_PIN
+
+#ifdef GLINT_STREAM
+struct Pins : StreamPins {
+    static constexpr std::size_t inputs = inputs_of_unit, outputs = outputs_of_unit;
 
     template <class Model>
     static void input(Model& m, const std::int32_t* const* in, std::size_t i, const std::uint32_t* mask,
@@ -37,15 +41,25 @@ struct Pins : StreamPins {
     template <class Model>
     static void output(const Model& m, std::int32_t* values) {
 #define GLINT_PIN(name) *values++ = static_cast<std::int32_t>(m.name);
-#define GLINT_SIGNED_PIN(name, bits) \
-    *values++ = static_cast<std::int32_t>(static_cast<std::uint32_t>(m.name) << (32 - bits)) >> (32 - bits);
+#define GLINT_SIGNED_PIN(name, bits) *values++ = sign_extended(static_cast<std::uint32_t>(m.name), bits);
         GLINT_OUTPUTS
 #undef GLINT_PIN
 #undef GLINT_SIGNED_PIN
     }
 };
 #else
-using Pins = AxisPins;
+constexpr bool is_axis32 = std::string_view(GLINT_UNIT) == "axis32";
+struct Pins : AxisPins<inputs_of_unit, outputs_of_unit, is_axis32, is_axis32> {
+    template <class Model>
+    static void output(const Model& m, std::int32_t* values) {
+        std::size_t k = 0;
+#define GLINT_PIN(name) values[k] = static_cast<std::int32_t>(word(m.m_axis_tdata, k) & 0x7fff'ffffU), ++k;
+#define GLINT_SIGNED_PIN(name, bits) values[k] = sign_extended(word(m.m_axis_tdata, k), bits), ++k;
+        GLINT_OUTPUTS
+#undef GLINT_PIN
+#undef GLINT_SIGNED_PIN
+    }
+};
 #endif
 
 }  // namespace

@@ -75,14 +75,14 @@ struct UnitKind {
     std::string_view effect;        ///< empty for the unit of a lobe
     std::string_view lobe;          ///< of effects that are made of none: empty
     std::string_view profile;       ///< its name, e.g. "p12" or "18_14_14_12"
-    std::string_view unit;          ///< "core" or "axis"
+    std::string_view unit;          ///< "core", "axis", or "axis32": words of 32 bits, and all sidebands
     std::string_view architecture;  ///< of a lobe: its canonical name, e.g. "restoring"
     int mask = -1;  ///< MASK of shade, the bits of its port `effects` that are built; -1: all, as of every other effect
     std::string_view id;       ///< of the build: the target waveform-<id> is the same unit, made to draw
     std::string_view verilog;  ///< a hash of its Verilog
     MakeUnit make = nullptr;
 
-    /// "bps p8 core restoring", "phong bps p8", "shade bps p12 MASK 3".
+    /// "bps p8 core restoring", "phong bps p8", "shade bps p12 MASK 3", "tint p12 axis".
     std::string name() const;
 };
 
@@ -96,6 +96,6 @@ std::span<const UnitKind> unit_kinds();
 
 /// The unit of an effect. The lobe does not matter for effects that take none. Throws Error with what this build has.
 const UnitKind& find_effect_unit(std::string_view effect, std::string_view lobe, std::string_view profile,
-                                 int mask = -1);
+                                 int mask = -1, std::string_view unit = "core");
 
 }  // namespace glint::testbench

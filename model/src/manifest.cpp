@@ -95,7 +95,7 @@ std::string modules(std::span<const HardwareUnit> units, const FileRoots& roots)
     std::map<std::string, std::vector<HardwareUnit::File>> found;
     for (const std::string_view name : shared_modules()) found.try_emplace(std::string(name), files_of(name));
     for (const HardwareUnit& unit : units) {
-        if (unit.kind == "lobe_axis" || found.contains(unit.core)) continue;
+        if (unit.kind.ends_with("_axis") || found.contains(unit.core)) continue;
         std::vector<HardwareUnit::File>& files = found[unit.core];
         std::copy_if(unit.files.begin(), unit.files.end(), std::back_inserter(files),
                      [](const HardwareUnit::File& file) { return !file.generated; });
@@ -168,15 +168,18 @@ std::vector<GeneratedFile> committed_verilog() {
     const auto add = [&](std::vector<GeneratedFile> files) {
         for (GeneratedFile& file : files) {
             if (file.target != GeneratedFile::Target::verilog) continue;
-            if (file.unit && file.unit->kind == "lobe_axis" && file.unit->profile != "p12") continue;
+            if (file.unit && file.unit->kind.ends_with("_axis") && file.unit->profile != "p12") continue;
             if (names.insert(file.name).second) out.push_back(std::move(file));
         }
     };
     for (const Lobe& lobe : lobes()) {
-        for (const Profile& profile : shipped_profiles()) add(lobe.emit(profile, default_architecture(lobe)));
+        for (const Profile& profile : shipped_profiles())
+            add(with_axi_stream(lobe.emit(profile, default_architecture(lobe))));
     }
     for (const Effect& effect : effects()) {
-        for (const Profile& profile : shipped_profiles()) add(effect.emit(profile, lobes().front().name));
+        for (const Profile& profile : shipped_profiles()) {
+            add(with_axi_stream(effect.emit(profile, lobes().front().name)));
+        }
     }
     return out;
 }

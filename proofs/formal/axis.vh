@@ -1,10 +1,10 @@
-// Included at the end of a copy of a generated AXI4-Stream wrapper (glint_bps_axis_p12, ...), which connects glint_axis,
-// named axis, to a unit, named core. In the copy F, O, the other word lengths and CORE_CLOCKS, the unit's latency, are parameters.
+// Included at the end of a copy of a generated AXI4-Stream wrapper (glint_bps_axis_p12, ...): register slices, in glint_axis
+// named axis, around a unit, named core. In the copy of a lobe's, F, O, the other word lengths and CORE_CLOCKS, the unit's
+// latency, are parameters. axis.py puts before it what travels with an item (TAG_W, item_in, item_out), and what the words
+// of tdata hold: offered, taken of OPERAND_W bits, given, result of RESULT_W bits, words.
 
-localparam TAG_W     = USER_W + 1;
-localparam OPERAND_W = F + 2 + 10;
-localparam IN_W      = TAG_W + OPERAND_W;
-localparam OUT_W     = TAG_W + 1 + O + 1;
+localparam IN_W  = TAG_W + OPERAND_W;
+localparam OUT_W = TAG_W + RESULT_W;
 
 (* hierconn *) wire                         \axis.skid_in.valid_q ;
 (* hierconn *) wire                         \axis.skid_in.ready_q ;
@@ -28,7 +28,7 @@ wire       [7:0] in_flight, ahead, patience, drought, ready_run;
 
 glint_scoreboard #(
     .WIDTH     (TAG_W),
-    .RESULT_W  (32),
+    .RESULT_W  (WORDS_W),
     .CAPACITY  (CORE_CLOCKS + 4),
     .PATIENCE  (CORE_CLOCKS + 4),
     .DROUGHT   (CORE_CLOCKS + 2),
@@ -39,10 +39,10 @@ glint_scoreboard #(
     .rst_n     (aresetn),
     .in_valid  (s_axis_tvalid),
     .in_ready  (s_axis_tready),
-    .in_data   ({s_axis_tuser, s_axis_tlast}),
+    .in_data   (item_in),
     .out_valid (m_axis_tvalid),
     .out_ready (m_axis_tready),
-    .out_data  ({m_axis_tuser, m_axis_tlast}),
+    .out_data  (item_out),
     .out_result(m_axis_tdata),
     .watch_now (watch_now),
     .watching  (watching),
@@ -64,15 +64,14 @@ wire       at_core    = watching && !at_out && !at_in;
 wire       second     = at_out ? ahead == 1 : ahead == count_out + count_core + 1;  // in the spare register
 
 reg    [CORE_CLOCKS-1:0] mark_q;  // the slot of the core that holds the watched item
-reg  [OPERAND_W-1:0] operands;  // what came in with it: cos, n
-reg          [O+1:0] result;    // what the core answered to it: clamped, y
+reg  [OPERAND_W-1:0] operands;  // what came in with it
 wire                 enters = at_in && !second && in_valid && in_ready;
 wire                 leaves = mark_q[CORE_CLOCKS-1] && out_valid && out_ready;
 always @(posedge aclk) begin
     if (!aresetn) mark_q <= 0;
     else if (\core.ports.advance ) mark_q <= {mark_q, enters};
-    if (watch_now) operands <= {s_axis_tdata[32+F+1:32], s_axis_tdata[9:0]};
-    if (leaves) result <= {clamped, y};
+    if (watch_now) operands <= offered;
+    if (leaves) result <= given;
 end
 
 wire [CORE_CLOCKS-1:0] mark_ok, drought_ok;
@@ -89,9 +88,9 @@ endgenerate
 
 always @* begin
     // The core computes from what came in with the item, and its answer leaves with the item.
-    if (aresetn && enters) operands_kept: assert ({cosine, n} == operands);
+    if (aresetn && enters) operands_kept: assert (taken == operands);
     if (aresetn && watching && ahead == 0 && m_axis_tvalid) begin
-        result_kept: assert (m_axis_tdata == {result[O+1], {(30 - O) {1'b0}}, result[O:0]});
+        result_kept: assert (m_axis_tdata == words);
     end
 
     if (!$initstate) begin
@@ -118,5 +117,5 @@ always @* begin
     end
 
     cover_operands: cover (enters && second == 0 && operands != 0);
-    cover_result:   cover (watching && ahead == 0 && m_axis_tvalid && m_axis_tdata[31] && m_axis_tdata[O:0] == 1);
+    cover_result:   cover (watching && ahead == 0 && m_axis_tvalid && m_axis_tdata[31] && m_axis_tdata[1:0] == 1);
 end

@@ -24,6 +24,7 @@ from dataclasses import dataclass, field
 HERE = pathlib.Path(__file__).resolve().parent
 RTL = HERE.parent.parent / "rtl"
 sys.path.append(str(RTL.parent / "tests/rtl"))
+import axis  # noqa: E402
 import units  # noqa: E402
 
 UNITS = units.units()
@@ -49,6 +50,7 @@ class Task:
     given: str = ""                # properties that another task proves by themselves, which this one may assume
     defines: tuple = ()
     edit: tuple = ()               # bug: module, text, what stands there instead
+    sidebands: bool = False        # axis: with all of them, as the command `glint` writes it
     failures: list = field(default_factory=list)
     result: str = ""
     seconds: float = 0.0
@@ -65,6 +67,8 @@ SHORT = ("lambert", "ambient", "tint")  # effects of a few clocks; bugs of what 
 EFFECTS = list(dict.fromkeys(unit["effect"] for unit in UNITS.values() if unit["kind"] == "effect"))
 KINDS = ("unit", "axis", "effect", "highlight")  # each has its property file
 TAG_W = 16
+WRAPPER_PARAMETERS = ("USER_W", "WORD_W", "ID_W", "DEST_W")  # of an AXI4-Stream wrapper itself
+GLINT = None  # the command, for wrappers that are not committed
 DIVIDERS = {"p8": (28, 26, 12), "p12": (34, 28, 16), "p16": (40, 30, 20)}  # X_W, Y_W, Q_W in bps
 
 HANDSHAKE = "no item lost, repeated or reordered; stable in a stall; tag kept; reset"
@@ -125,7 +129,7 @@ ITERATIVE_BUGS = [
 ]
 AXIS_BUGS = [
     ("sidebands_swapped", "in_turn", "({s_axis_tuser, s_axis_tlast,", "({s_axis_tlast, s_axis_tuser,"),
-    ("cos_off_by_a_bit", "operands_kept", "s_axis_tdata[32+F+1:32]", "s_axis_tdata[31+F+1:31]"),
+    ("cos_off_by_a_bit", "operands_kept", "s_axis_tdata[COS+F+1:COS]", "s_axis_tdata[COS+F:COS-1]"),
     ("y_shifted", "result_kept", "{(30 - O) {1'b0}}, y}", "{(29 - O) {1'b0}}, y, 1'b0}"),
     ("result_while_ready", "stable", "{clamped, {(30", "{clamped & m_axis_tready, {(30"),
     ("item_taken_twice", "nothing_invented", ".ready_i(ready_i),", ".ready_i(ready_i & m_axis_tready),"),
@@ -135,6 +139,14 @@ AXIS_BUGS = [
 WRAPPER_BUGS = [
     ("core_never_stalls", "in_turn", ".ready_i  (out_ready),", ".ready_i  (1'b1),"),
     ("core_not_reset", "nothing_invented", ".rst_ni   (aresetn),", ".rst_ni   (1'b1),"),
+]
+WORDS_BUGS = [
+    ("sidebands_swapped", "in_turn", "({s_axis_tuser, s_axis_tlast,", "({s_axis_tlast, s_axis_tuser,"),
+    ("field_off_by_a_bit", "operands_kept", "s_axis_tdata[19:0]", "s_axis_tdata[20:1]"),
+    ("result_shifted", "result_kept", "18'd0, shown_y_o}", "17'd0, shown_y_o, 1'b0}"),
+    ("core_never_stalls", "in_turn", ".ready_i  (out_ready),", ".ready_i  (1'b1),"),
+    ("core_not_reset", "nothing_invented", ".rst_ni   (aresetn),", ".rst_ni   (1'b1),"),
+    ("item_taken_twice", "nothing_invented", ".ready_i(in_ready),", ".ready_i(in_ready & m_axis_tready),"),
 ]
 SKID_BUGS = [
     ("spare_forgotten", "delivered", "valid_q <= spare_full_q | accept;", "valid_q <= accept;"),
@@ -246,6 +258,10 @@ def tasks():
                      defines=("DEEP_COVER",)),
                 Task(f"axis.{lobe}.cover", "not vacuous", wrapper, "axis", axis, "cover", 60)]
         if lobe == BUGGED:
+            packed = {**word_lengths(lobe, "p12"), "USER_W": TAG_W, "WORD_W": 32}
+            out += [Task(f"axis32.{lobe}.p12", HANDSHAKE + "; operands and result kept", wrapper, "axis", packed, "induction", 3),
+                    Task(f"sidebands.{lobe}.p12", HANDSHAKE + "; tid, tdest, tkeep pass along", wrapper, "axis",
+                         {**packed, "ID_W": 8, "DEST_W": 4}, "induction", 3, sidebands=True)]
             one = {"DIVIDER": 2, **core}
             out += [Task(f"{lobe}.iterative.{profile}", HANDSHAKE + "; one item at a time", unit, "unit",
                          {**word_lengths(lobe, profile), "DIVIDER": 2, "TAG_W": TAG_W}, "induction", 2, defines=("ITERATIVE",))
@@ -256,8 +272,21 @@ def tasks():
                     *bugs(f"axis.{lobe}", wrapper, "axis", axis, 24, "glint_axis", AXIS_BUGS),
                     *bugs(f"axis.{lobe}", wrapper, "axis", axis, 24, wrapper, WRAPPER_BUGS)]
     out += of_shade()
+    for effect in EFFECTS:
+        out += of_axis(effect)
     for effect in (e for e in EFFECTS if e != "shade"):
         out += of_effect(effect)
+    return out
+
+
+def of_axis(effect):
+    """The AXI4-Stream unit of an effect, around any unit of its ports that keeps the rules."""
+    wrapper = next(name for name, unit in UNITS.items() if unit["kind"] == "effect_axis" and unit["effect"] == effect)
+    out = [Task(f"axis.effect.{effect}.p12", HANDSHAKE + "; operands and result kept", wrapper, "axis", {"USER_W": TAG_W},
+                "induction", 3)]
+    if effect == SHORT[0]:
+        out += [Task(f"axis.effect.{effect}.cover", "not vacuous", wrapper, "axis", {"USER_W": 1}, "cover", 20),
+                *bugs(f"axis.effect.{effect}", wrapper, "axis", {"USER_W": 1}, 16, wrapper, WORDS_BUGS)]
     return out
 
 
@@ -316,27 +345,13 @@ def needed(*tops):
     return {path.stem: path.read_text() for top in tops for path in MODULES[top]}
 
 
-def wrapper_at_any_size(module, names):
-    """A generated AXI4-Stream wrapper with parameters for its numbers, around the unit in the place of its wrapper."""
-    unit = UNITS[module]
-    text, core = unit["files"][-1].read_text(), unit["core"]["module"]
-    F, O = unit["F"], unit["O"]
-    declared = "".join(f", {name} = 0" for name in ["CORE_CLOCKS", *names])
-    passed = "".join(f".{name}({name}), " for name in names)
-    for old, new in (("parameter USER_W = 16", f"parameter USER_W = 16{declared}"), (f".F     ({F})", ".F     (F)"),
-                     (f".O     ({O})", ".O     (O)"), (f"[{F + 1}:0] cosine;", "[F+1:0] cosine;"),
-                     (f"[{O}:0] y;", "[O:0] y;"), (f"{core} #(", f"{UNITS[core]['core']['module']} #({passed}")):
-        text = edited(module, text, old, new)
-    return text.replace("        .LOGIC(LOGIC),\n", "")  # of the tables, which are not in the core
-
-
 def around_lobe(module):
     """The generated wrapper of phong or blinn_phong, around the unit in the place of its wrapper; that unit, and its numbers."""
     unit = UNITS[module]
     lobe, profile = unit["lobe"], unit["profile"]
     numbers = word_lengths(lobe, profile)
     passed = "".join(f".{name}({value}), " for name, value in numbers.items())
-    text = edited(module, unit["files"][-1].read_text(), f"glint_{lobe}_{profile} #(", f"glint_{lobe} #({passed}")
+    text = axis.edited(module, unit["files"][-1].read_text(), f"glint_{lobe}_{profile} #(", f"glint_{lobe} #({passed}")
     return text, f"glint_{lobe}", numbers
 
 
@@ -355,12 +370,6 @@ def in_stream(unit):
     return any(path.name == "glint_stream.v" for path in MODULES[unit])
 
 
-def edited(name, text, old, new):
-    if text.count(old) != 1:
-        raise RuntimeError(f"the edit applies {text.count(old)} times to {name}.v, not once")
-    return text.replace(old, new)
-
-
 def latency(unit, parameters, folder, frame="ports"):
     """The clocks from an input of the unit to its result: as many as its glint_ports or glint_stream has valid bits."""
     chosen = " ".join(f"-chparam {name} {value}" for name, value in parameters.items())
@@ -374,11 +383,17 @@ def latency(unit, parameters, folder, frame="ports"):
 def prepare(task, folder):
     """Writes the copies of the modules and runs Yosys; the result is model.smt2."""
     parameters = dict(task.parameters)
+    added = ""
     if task.kind == "axis":
-        unit = UNITS[UNITS[task.top]["core"]["module"]]["core"]["module"]
-        numbers = {name: value for name, value in parameters.items() if name != "USER_W"}
-        modules = needed("glint_axis", unit)
-        modules[task.top] = wrapper_at_any_size(task.top, numbers)
+        wrapper, core = UNITS[task.top], UNITS[UNITS[task.top]["core"]["module"]]
+        of_effect, unit = wrapper["kind"] == "effect_axis", core["core"]["module"]
+        text = axis.emitted(GLINT, wrapper, folder) if task.sidebands else wrapper["files"][-1].read_text()
+        if of_effect:
+            modules = {**needed("glint_skid", "glint_stream"), core["name"]: axis.stand_in(core), task.top: text}
+        else:
+            numbers = {name: value for name, value in parameters.items() if name not in WRAPPER_PARAMETERS}
+            modules = {**needed("glint_axis", unit), task.top: axis.at_any_size(UNITS, wrapper, text, numbers)}
+        added = axis.beside(task.sidebands) + (axis.words_of_effect(core) if of_effect else axis.words_of_lobe())
     elif task.kind == "highlight":
         text, unit, numbers = around_lobe(task.top)
         modules = {**needed("glint_effect_highlight", unit), task.top: text}
@@ -386,25 +401,25 @@ def prepare(task, folder):
         modules = needed(task.top)
     if task.edit:
         module, text, instead = task.edit
-        modules[module] = edited(module, modules[module], text, instead)
+        modules[module] = axis.edited(module, modules[module], text, instead)
     if task.kind in ("unit", "effect", "highlight"):
         if task.kind != "highlight":
             unit, numbers = task.top, {name: value for name, value in parameters.items() if name != "TAG_W"}
         frame = "stream" if task.kind == "effect" else "ports"
-        added = f"localparam CLOCKS = {latency(unit, numbers, folder, frame)};\n"
+        added += f"localparam CLOCKS = {latency(unit, numbers, folder, frame)};\n"
         if task.kind != "unit":
             added += declared_result(task.top, {} if task.kind == "highlight" else numbers)
-        modules[task.top] = modules[task.top].replace("endmodule", f"{added}endmodule")
+    modules[task.top] = modules[task.top].replace("endmodule", f"{added}endmodule")
     for name, text in modules.items():
         properties = HERE / f"{task.kind if name == task.top and task.kind in KINDS else name}.vh"
         end = text.rindex("endmodule")
         text = text[:end] + (properties.read_text() if properties.exists() else "") + text[end:]
         (folder / f"{name}.v").write_text(text)
     if task.kind == "axis":
-        parameters["CORE_CLOCKS"] = latency(unit, numbers, folder, "stream" if in_stream(unit) else "ports")
-        if in_stream(unit):
-            copy = folder / f"{task.top}.v"
-            copy.write_text(copy.read_text().replace("core.ports.all.", "core.stream.").replace("core.ports.", "core.stream."))
+        if not of_effect:
+            parameters["CORE_CLOCKS"] = latency(unit, numbers, folder, "stream" if in_stream(unit) else "ports")
+        copy = folder / f"{task.top}.v"
+        copy.write_text(axis.frame(copy.read_text(), of_effect or in_stream(unit), of_effect))
     for name in ("glint_scoreboard.v", "pipeline.vh", "glint_ports.vh"):
         shutil.copy(HERE / name, folder)
     defines = " ".join(f"-D {name}" for name in ("SYNTHESIS", f"PROVE_{task.kind.upper()}") + task.defines)
@@ -412,7 +427,7 @@ def prepare(task, folder):
     script = f"read_verilog -formal -defer {defines} *.v\nhierarchy -check -top {task.top} {chosen}\n"
     if task.kind == "shade":
         script += "cutpoint t:$mul\n"
-    if task.kind in KINDS:
+    if task.kind in KINDS and not (task.kind == "axis" and of_effect):
         # Any product, quotient, logarithm, ... will do, and whatever waits for it beside: the handshake must not depend on
         # them.
         names = EFFECT_NUMBERS if task.kind == "effect" else NUMBERS
@@ -581,13 +596,21 @@ def main():
     parser.add_argument("--json", type=pathlib.Path, metavar="FILE", help="write the same facts as JSON")
     parser.add_argument("--build", type=pathlib.Path, metavar="DIR",
                         help="keep the copies, scripts and models there (default: a temporary folder)")
+    parser.add_argument("--glint", type=pathlib.Path, metavar="FILE", help="the command, for the tasks of sidebands")
     options = parser.parse_args()
+    global GLINT
+    GLINT = options.glint
     if options.jobs < 1:
         raise UsageError(f"--jobs {options.jobs} is not legal: at least 1")
     for program, package in PROGRAMS.items():
         if not shutil.which(program):
             raise UsageError(f"program '{program}' not found; install the package `{package}`")
     wanted = chosen(tasks(), options.only)
+    if not GLINT and not options.list and any(task.sidebands for task in wanted):
+        if options.only:
+            raise UsageError("the proof of sidebands needs --glint FILE, the command that writes the wrapper")
+        wanted = [task for task in wanted if not task.sidebands]
+        print("left out: the proof of sidebands, which needs --glint")
     if options.list:
         print("\n".join(task.name for task in wanted))
         return 0

@@ -1,6 +1,6 @@
 // glint_axis: AXI4-Stream around the stream of a unit; every output to the AXI4-Stream side is a register.
 //
-// s_axis_tdata: [9:0] n, [63:32] cos, sign-extended; the rest is ignored.
+// s_axis_tdata: [9:0] n, [63:32] cos, sign-extended; of 32 bits: [9:0] n, [F+11:10] cos. The rest is ignored.
 // m_axis_tdata: [O:0] y, [31] clamped, the rest 0. tuser and tlast pass along, as the tag of the unit.
 // The generated wrappers connect it to their unit. Table of ports and parameters: docs/rtl.md.
 
@@ -10,12 +10,13 @@
 module glint_axis #(
     parameter F      = 18,  // fraction bits of the cosine
     parameter O      = 12,  // fraction bits of the output
-    parameter USER_W = 16   // width of tuser, at least 1
+    parameter USER_W = 16,  // width of tuser, at least 1
+    parameter WORD_W = 64   // width of s_axis_tdata: 64, or 32 where F is at most 20
 ) (
     input  wire              aclk,
     input  wire              aresetn,        // synchronous, active low
     /* verilator lint_off UNUSED */          // bits between the fields are ignored
-    input  wire       [63:0] s_axis_tdata,
+    input  wire [WORD_W-1:0] s_axis_tdata,
     /* verilator lint_on UNUSED */
     input  wire [USER_W-1:0] s_axis_tuser,
     input  wire              s_axis_tlast,
@@ -41,6 +42,7 @@ module glint_axis #(
 );
 
     localparam TAG_W = USER_W + 1;
+    localparam COS   = WORD_W == 32 ? 10 : 32;  // where cos starts
 
     glint_skid #(
         .WIDTH(TAG_W + F + 2 + 10)
@@ -49,7 +51,7 @@ module glint_axis #(
         .rst_ni (aresetn),
         .valid_i(s_axis_tvalid),
         .ready_o(s_axis_tready),
-        .data_i ({s_axis_tuser, s_axis_tlast, s_axis_tdata[32+F+1:32], s_axis_tdata[9:0]}),
+        .data_i ({s_axis_tuser, s_axis_tlast, s_axis_tdata[COS+F+1:COS], s_axis_tdata[9:0]}),
         .valid_o(valid_o),
         .ready_i(ready_i),
         .data_o ({tag_o, cos_o, n_o})

@@ -6,11 +6,12 @@
 
 module glint_blinn_phong_axis_p12 #(
     parameter USER_W = 16,
+    parameter WORD_W = 64,
     parameter MULTIPLIER_STAGES = 1
 ) (
     input  wire              aclk,
     input  wire              aresetn,
-    input  wire       [63:0] s_axis_tdata,
+    input  wire [WORD_W-1:0] s_axis_tdata,
     input  wire [USER_W-1:0] s_axis_tuser,
     input  wire              s_axis_tlast,
     input  wire              s_axis_tvalid,
@@ -31,7 +32,8 @@ module glint_blinn_phong_axis_p12 #(
     glint_axis #(
         .F     (18),
         .O     (12),
-        .USER_W(USER_W)
+        .USER_W(USER_W),
+        .WORD_W(WORD_W)
     ) axis (
         .aclk         (aclk),
         .aresetn      (aresetn),

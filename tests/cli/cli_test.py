@@ -164,6 +164,7 @@ class Refusals(Case):
 
     def test_emit(self):
         self.refused("target 'vhdl' is not legal: verilog, hls, proof or all", "emit", "--target", "vhdl")
+        self.refused("--sidebands 'strb' is not legal: keep, id, dest, separated by commas", "emit", "--sidebands", "id,strb")
         self.equal(self.files(), [])
 
 

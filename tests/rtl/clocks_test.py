@@ -55,7 +55,7 @@ def measured(unit, parameters, folder):
         name = port["name"]
         value = ROLES.get(name) or ("1'b1" if name in ONES else "" if port["direction"] == "output" else "0")
         if value == "0":
-            value = f"{{({port['width']}) {{1'b0}}}}".replace("TAG_W", "16").replace("USER_W", "16")
+            value = f"{{({port['width']}) {{1'b0}}}}".replace("TAG_W", "16").replace("USER_W", "16").replace("WORD_W", "64")
         connections.append(f".{name}({value})")
     bench = Path(folder) / "clocks_tb.v"
     bench.write_text(BENCH.format(top=unit["name"], connections=", ".join(connections), results=RESULTS,

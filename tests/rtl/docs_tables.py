@@ -5,7 +5,7 @@
     docs_tables.py --write    writes them
 
 A table stands between `<!-- ports of UNIT -->` or `<!-- units of LOBE -->`, `<!-- units of effect_EFFECT -->` and `<!-- end -->`; in UNIT, P stands
-for the profile.
+for the profile. `<!-- words of effects -->` has the words of their AXI4-Stream units.
 """
 
 import re
@@ -14,8 +14,9 @@ import sys
 from units import RTL, units
 
 DOCS = RTL.parent / "docs"
-MARKED = re.compile(r"(<!-- (ports|units) of (\w+) -->\n)(.*?)(<!-- end -->\n)", re.DOTALL)
+MARKED = re.compile(r"(<!-- (ports|units|words) of (\w+) -->\n)(.*?)(<!-- end -->\n)", re.DOTALL)
 PROFILES = ("p8", "p12", "p16")
+STREAM = ("clk_i", "rst_ni", "valid_i", "ready_o", "tag_i", "valid_o", "ready_i", "tag_o", "clamped_o")
 
 
 def table(head, aligned, rows):
@@ -45,7 +46,7 @@ def ports(every, name):
 
 def about(unit):
     """What a table of units is of. The AXI4-Stream units are in none: they take two clocks more."""
-    return {"lobe": unit["lobe"], "lobe_axis": None, "effect": f"effect_{unit['effect']}"}[unit["kind"]]
+    return {"lobe": unit["lobe"], "lobe_axis": None, "effect_axis": None, "effect": f"effect_{unit['effect']}"}[unit["kind"]]
 
 
 def of(every, name):
@@ -66,6 +67,24 @@ def of(every, name):
                  ["---", "---", "--:", "--:", "--:", "---"], rows)
 
 
+def words(every, _):
+    """The AXI4-Stream units of effects: what their words hold, by the ports of the unit inside."""
+    rows = []
+    for unit in every.values():
+        if unit["kind"] != "effect_axis":
+            continue
+        inside = every[unit["core"]["module"]]
+        tdata = {port["name"]: port["width"] for port in unit["ports"]}
+        named = {end: [f"`{port['name'][:-2]}`" for port in inside["ports"] if port["name"].endswith(end) and port["name"] not in STREAM]
+                 for end in ("_i", "_o")}
+        rows.append([f"`{re.sub(r'_p12$', '_P', unit['name'])}`", str(tdata["s_axis_tdata"]), ", ".join(named["_i"]),
+                     str(tdata["m_axis_tdata"]), ", ".join(named["_o"])])
+    return table(["unit", "bits in", "inputs", "bits out", "results"], ["---", "--:", "---", "--:", "---"], rows)
+
+
+TABLES = {"ports": ports, "units": of, "words": words}
+
+
 def main():
     every = units()
     write = sys.argv[1:] == ["--write"]
@@ -73,7 +92,7 @@ def main():
     shown = set()
     for page in sorted(DOCS.rglob("*.md")):
         text = page.read_text()
-        made = MARKED.sub(lambda m: m[1] + (ports if m[2] == "ports" else of)(every, m[3]) + m[5], text)
+        made = MARKED.sub(lambda m: m[1] + TABLES[m[2]](every, m[3]) + m[5], text)
         done += len(MARKED.findall(text))
         if made != text and write:
             page.write_text(made)

@@ -74,7 +74,7 @@ MODULES = {
     "glint_effect_oren_nayar": ("F O TAG_W", ((7, 4, 1), (8, 4, 16), (30, 27, 64))),
     "glint_effect_ward": ("F T E O TAG_W", ((8, 4, 2, 4, 1), (30, 4, 2, 4, 16), (30, 6, 5, 20, 64))),
     "glint_fifo": ("WIDTH LOG_DEPTH", ((1, 1), (47, 6), (300, 16))),
-    "glint_axis": ("F O USER_W", ((8, 4, 1), (8, 28, 16), (30, 4, 1), (30, 28, 64))),
+    "glint_axis": ("F O USER_W WORD_W", ((8, 4, 1, 64), (8, 28, 16, 32), (20, 16, 9, 32), (30, 4, 1, 64), (30, 28, 64, 64))),
 }
 # The wrappers, with every divider, and with products of several clocks.
 ARCHITECTURES = [{"DIVIDER": d, "MULTIPLIER_STAGES": m} for d, m in ((1, 1), (2, 3), (3, 2), (0, 4))]
@@ -165,6 +165,9 @@ def lint(tool, folders):
                 done += 1
                 damaged += 1
                 listed.update(unit["files"])
+                if unit["kind"] == "lobe_axis" and unit["lobe"] == "bps" and unit["F"] <= 20:
+                    silent(command(tool, unit["name"], unit["files"], {"WORD_W": 32}))
+                    done += 1
                 if unit["profile"] == "p12" and unit["kind"] == "lobe":
                     known = {parameter["name"] for parameter in unit["parameters"]}
                     for parameters in ARCHITECTURES if "DIVIDER" in known else [{"MULTIPLIER_STAGES": 3}]:

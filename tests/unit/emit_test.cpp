@@ -126,7 +126,7 @@ TEST_CASE("the wrapper of an effect with another lobe is that with bps, but for 
 
 TEST_CASE("AXI4-Stream wrappers of a lobe differ in numbers only: what is proven of the one at p12 holds for all") {
     const auto without_numbers = [](const Lobe& lobe, const Profile& profile) {
-        for (const GeneratedFile& file : lobe.emit(profile, default_architecture(lobe))) {
+        for (const GeneratedFile& file : with_axi_stream(lobe.emit(profile, default_architecture(lobe)))) {
             if (file.name.find("_axis_") == std::string::npos || file.target != GeneratedFile::Target::verilog)
                 continue;
             std::string out;

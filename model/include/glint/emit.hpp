@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "glint/manifest.hpp"
@@ -16,6 +17,17 @@ struct GeneratedFile {
     std::string text;
     std::optional<HardwareUnit> unit{};  ///< where it is the top module of one
 };
+
+/// What an AXI4-Stream unit has beside tdata, tuser and tlast.
+struct Sidebands {
+    bool keep = false, id = false, dest = false;
+};
+
+/// Of a list of keep, id, dest; an empty one has none. Throws Error.
+Sidebands parse_sidebands(std::string_view list);
+
+/// What Lobe::emit or Effect::emit gave, and behind its unit, the first file, the AXI4-Stream unit around it.
+std::vector<GeneratedFile> with_axi_stream(std::vector<GeneratedFile> files, const Sidebands& sidebands = {});
 
 /// The Verilog that is committed in rtl/generated: the units of all lobes and effects at the shipped profiles, effects
 /// made of a lobe with the first one, AXI4-Stream units at p12; and what they are made of. Each file once.

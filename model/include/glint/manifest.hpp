@@ -20,7 +20,7 @@ struct HardwareUnit {
         std::string name;
         bool output = false;
         int bits = 1;
-        std::string parameter;   ///< the parameter that says how many bits; empty: `bits`
+        std::string parameter;   ///< what of parameters says how many bits: TAG_W, WORD_W / 8; empty: `bits`
         bool is_signed = false;  ///< two's complement
         std::string meaning;
     };
@@ -29,6 +29,7 @@ struct HardwareUnit {
         std::string value;  ///< the default
         std::string legal;  ///< for people
         std::string meaning;
+        int bits = 0;  ///< that it is declared with; 0: an integer
     };
     struct Architecture {
         std::string name;  ///< as on the command line; of an effect "default"
@@ -43,7 +44,7 @@ struct HardwareUnit {
     };
 
     std::string name;          ///< of its top module
-    std::string_view kind;     ///< lobe, lobe_axis or effect
+    std::string_view kind;     ///< lobe, effect, lobe_axis or effect_axis
     std::string lobe, effect;  ///< with the lobe's options; empty where there is none
     std::string profile;       ///< as on the command line
     int F = 0, O = 0;          ///< fraction bits of cosines and of results

@@ -191,14 +191,13 @@ std::vector<GeneratedFile> made_of(GeneratedFile file, std::vector<GeneratedFile
     HardwareUnit& unit = *file.unit;
     std::vector<HardwareUnit::File> files;
     for (const GeneratedFile& part : parts) {
-        if (part.unit && part.unit->kind != "lobe_axis") add_files(files, part.unit->files);
+        if (part.unit) add_files(files, part.unit->files);
     }
     add_files(files, unit.files);
     unit.files = std::move(files);
     unit.architectures = {timing};
     std::vector<GeneratedFile> out{std::move(file)};
     for (GeneratedFile& part : parts) {
-        if (part.unit && part.unit->kind == "lobe_axis") continue;
         const bool there =
             std::any_of(out.begin(), out.end(), [&](const GeneratedFile& f) { return f.name == part.name; });
         if (part.target == GeneratedFile::Target::verilog && !there) out.push_back(std::move(part));

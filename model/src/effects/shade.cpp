@@ -348,7 +348,7 @@ std::vector<GeneratedFile> emit_shade(const Profile& profile, std::string_view l
                           {"DIFFUSE", fmt::format("{}'d{}", term_count + 1, diffuse)}};
     file.unit->parameters.push_back({"MASK", std::to_string((std::int64_t{2} << term_count) - 1),
                                      fmt::format("0 to {}", (std::int64_t{2} << term_count) - 1),
-                                     "what is built: a bit each as in the port effects"});
+                                     "what is built: a bit each as in the port effects", term_count + 1});
     file.unit->parameters.push_back({"LOG_DEPTH", log_depth(O), "1 to 16", "2^LOG_DEPTH inputs are in flight at most"});
     // One result a clock: as many are in flight as the slowest term and what is around it take.
     std::vector<GeneratedFile> parts;

@@ -98,92 +98,6 @@ endmodule
                             profile.F + 1, profile.O, wires, lobe, assignments, ports, instances)};
 }
 
-GeneratedFile axis(std::string_view lobe, const Profile& profile, const Architecture& architecture, bool chosen) {
-    const std::string module = fmt::format("glint_{}_axis_{}", lobe, profile.name);
-    return {GeneratedFile::Target::verilog, module + ".v",
-            header(lobe, profile, architecture, module, fmt::format("glint_{} as an AXI4-Stream unit", lobe)) +
-                fmt::format(R"(
-`default_nettype none
-// verilator lint_off TIMESCALEMOD
-
-module {0} #(
-    parameter USER_W = 16{7}
-) (
-    input  wire              aclk,
-    input  wire              aresetn,
-    input  wire       [63:0] s_axis_tdata,
-    input  wire [USER_W-1:0] s_axis_tuser,
-    input  wire              s_axis_tlast,
-    input  wire              s_axis_tvalid,
-    output wire              s_axis_tready,
-    output wire       [31:0] m_axis_tdata,
-    output wire [USER_W-1:0] m_axis_tuser,
-    output wire              m_axis_tlast,
-    output wire              m_axis_tvalid,
-    input  wire              m_axis_tready
-);
-
-    wire          in_valid, in_ready, out_valid, out_ready, clamped;
-    wire    [9:0] n;
-    wire [{1}:0] cosine;
-    wire [USER_W:0] in_tag, out_tag;
-    wire [{2}:0] y;
-
-    glint_axis #(
-        .F     ({3}),
-        .O     ({4}),
-        .USER_W(USER_W)
-    ) axis (
-        .aclk         (aclk),
-        .aresetn      (aresetn),
-        .s_axis_tdata (s_axis_tdata),
-        .s_axis_tuser (s_axis_tuser),
-        .s_axis_tlast (s_axis_tlast),
-        .s_axis_tvalid(s_axis_tvalid),
-        .s_axis_tready(s_axis_tready),
-        .m_axis_tdata (m_axis_tdata),
-        .m_axis_tuser (m_axis_tuser),
-        .m_axis_tlast (m_axis_tlast),
-        .m_axis_tvalid(m_axis_tvalid),
-        .m_axis_tready(m_axis_tready),
-        .valid_o      (in_valid),
-        .ready_i      (in_ready),
-        .n_o          (n),
-        .cos_o        (cosine),
-        .tag_o        (in_tag),
-        .valid_i      (out_valid),
-        .ready_o      (out_ready),
-        .y_i          (y),
-        .tag_i        (out_tag),
-        .clamped_i    (clamped)
-    );
-
-    glint_{5}_{6} #(
-{8}        .TAG_W(USER_W + 1)
-    ) core (
-        .clk_i    (aclk),
-        .rst_ni   (aresetn),
-        .valid_i  (in_valid),
-        .ready_o  (in_ready),
-        .n_i      (n),
-        .cos_i    (cosine),
-        .tag_i    (in_tag),
-        .valid_o  (out_valid),
-        .ready_i  (out_ready),
-        .y_o      (y),
-        .tag_o    (out_tag),
-        .clamped_o(clamped)
-    );
-
-endmodule
-
-`default_nettype wire
-)",
-                            module, profile.F + 1, profile.O, profile.F, profile.O, lobe, profile.name,
-                            architecture_parameters(architecture) + (chosen ? logic_parameter : ""),
-                            architecture_assignments(architecture) + (chosen ? "        .LOGIC(LOGIC),\n" : ""))};
-}
-
 }  // namespace
 
 namespace {
@@ -321,34 +235,6 @@ HardwareUnit core_unit(std::string_view lobe, const Profile& profile, const Arch
     return unit;
 }
 
-HardwareUnit axis_unit(HardwareUnit unit, std::string_view lobe, const Profile& profile,
-                       const Architecture& architecture) {
-    std::vector<HardwareUnit::File> files = files_of("glint_axis");
-    add_files(files, unit.files);
-    unit.core = unit.name;
-    unit.numbers = {};
-    unit.name = fmt::format("glint_{}_axis_{}", lobe, profile.name);
-    unit.kind = "lobe_axis";
-    unit.files = std::move(files);
-    unit.files.push_back({unit.name + ".v", true});
-    unit.ports = {
-        {"aclk", false, 1, "", false, "clock, rising edge"},
-        {"aresetn", false, 1, "", false, "reset, synchronous, active low"},
-        {"s_axis_tdata", false, 64, "", false, "[9:0] n; [63:32] cosine code, sign-extended; the rest is ignored"},
-        {"s_axis_tuser", false, 0, "USER_W", false, "passes along"},
-        {"s_axis_tlast", false, 1, "", false, "passes along"},
-        {"s_axis_tvalid", false, 1, "", false, "an input is offered"},
-        {"s_axis_tready", true, 1, "", false, "the unit takes an input at this edge"},
-        {"m_axis_tdata", true, 32, "", false, fmt::format("[{}:0] y; [31] clamped; the rest is 0", profile.O)},
-        {"m_axis_tuser", true, 0, "USER_W", false, "s_axis_tuser of this result's input"},
-        {"m_axis_tlast", true, 1, "", false, "s_axis_tlast of this result's input"},
-        {"m_axis_tvalid", true, 1, "", false, "a result is offered"},
-        {"m_axis_tready", false, 1, "", false, "the receiver takes the result at this edge"}};
-    unit.parameters = described_parameters("USER_W", "tuser", architecture);
-    for (HardwareUnit::Architecture& a : unit.architectures) a.latency += block::axis().clocks;
-    return unit;
-}
-
 Kernel kernel(std::string_view lobe, const Profile& profile) {
     return {"lobes",
             std::string(lobe),
@@ -438,13 +324,9 @@ std::vector<GeneratedFile> generated_sources(std::string_view lobe, const Profil
     describe(*unit.unit, numbers, tables, architecture);
     const HardwareUnit::Parameter logic{"LOGIC", "0", "0, 1", "1: the tables stay out of block memory"};
     if (is_chosen(tables)) unit.unit->parameters.push_back(logic);
-    GeneratedFile wrapped = axis(lobe, profile, architecture, is_chosen(tables));
-    wrapped.unit = axis_unit(*unit.unit, lobe, profile, architecture);
-    if (is_chosen(tables)) wrapped.unit->parameters.push_back(logic);
-    return with_tables(
-        {std::move(unit), std::move(wrapped), constants_header(kernel(lobe, profile), profile, hls_constants, tables),
-         top_function(kernel(lobe, profile), profile)},
-        tables, architecture);
+    return with_tables({std::move(unit), constants_header(kernel(lobe, profile), profile, hls_constants, tables),
+                        top_function(kernel(lobe, profile), profile)},
+                       tables, architecture);
 }
 
 GeneratedFile gappa_script(std::string_view lobe, const Profile& profile, std::string_view format,

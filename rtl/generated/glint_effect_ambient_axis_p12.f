@@ -1,0 +1,8 @@
+// The files of glint_effect_ambient_axis_p12, for `verilator -f` and `iverilog -f`. GLINT_RTL in the environment is the folder rtl/ of Glint.
+$(GLINT_RTL)/blocks/glint_skid.v
+$(GLINT_RTL)/blocks/glint_colour.v
+$(GLINT_RTL)/blocks/glint_delay.v
+$(GLINT_RTL)/blocks/glint_stream.v
+$(GLINT_RTL)/effects/glint_effect_ambient.v
+$(GLINT_RTL)/generated/glint_effect_ambient_p12.v
+$(GLINT_RTL)/generated/glint_effect_ambient_axis_p12.v

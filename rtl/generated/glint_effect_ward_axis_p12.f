@@ -1,0 +1,19 @@
+// The files of glint_effect_ward_axis_p12, for `verilator -f` and `iverilog -f`. GLINT_RTL in the environment is the folder rtl/ of Glint.
+$(GLINT_RTL)/blocks/glint_skid.v
+$(GLINT_RTL)/blocks/glint_delay.v
+$(GLINT_RTL)/blocks/glint_stream.v
+$(GLINT_RTL)/blocks/glint_divider_restoring.v
+$(GLINT_RTL)/blocks/glint_divider_radix4.v
+$(GLINT_RTL)/blocks/glint_divider_iterative.v
+$(GLINT_RTL)/blocks/glint_multiplier.v
+$(GLINT_RTL)/blocks/glint_divider_reciprocal.v
+$(GLINT_RTL)/blocks/glint_divider.v
+$(GLINT_RTL)/blocks/glint_parabola.v
+$(GLINT_RTL)/blocks/glint_exp2.v
+$(GLINT_RTL)/blocks/glint_dot.v
+$(GLINT_RTL)/blocks/glint_log2.v
+$(GLINT_RTL)/effects/glint_effect_ward.v
+$(GLINT_RTL)/generated/glint_table_log2_16_19.v
+$(GLINT_RTL)/generated/glint_table_exp2_8_17.v
+$(GLINT_RTL)/generated/glint_effect_ward_p12.v
+$(GLINT_RTL)/generated/glint_effect_ward_axis_p12.v
