@@ -85,7 +85,7 @@ std::vector<Request> requests(const Options& options, Flow& flow) {
 }
 
 Products products_of(const PricedUnit& unit, bool dsp) {
-    if (!unit.family.empty()) return Products::blocks;
+    if (!unit.family.empty()) return unit.deep ? Products::deep_blocks : Products::blocks;
     return dsp ? Products::dsps : Products::gates;
 }
 

@@ -10,8 +10,8 @@
 namespace glint::fpga {
 namespace {
 
-constexpr Family ice40{"synth_ice40", "-dsp", "", "nextpnr-ice40", "ICESTORM_LC", "synth_ice40 -top glint_harness",
-                       false};
+constexpr Family ice40{
+    "synth_ice40", "-dsp", "", "nextpnr-ice40", "ICESTORM_LC", "synth_ice40 -top glint_harness", "", "", false};
 constexpr Family ecp5{"synth_ecp5",
                       "",
                       "-nodsp",
@@ -19,9 +19,12 @@ constexpr Family ecp5{"synth_ecp5",
                       "TRELLIS_COMB",
                       "hierarchy -top glint_harness; proc; flatten; opt_expr; opt_clean; memory_collect; "
                       "memory_map -rom-only -attr rom_style=logic; "
-                      "synth_ecp5 -top glint_harness -run begin:map_ffs; dffunmap -srst-only; "
-                      "synth_ecp5 -top glint_harness -run map_ffs:"};
-constexpr Family xc7{"synth_xilinx -flatten", "", "-nodsp", "", "", ""};
+                      "synth_ecp5 -top glint_harness -run begin:map_ffs; ",
+                      "dffunmap -srst-only; synth_ecp5 -top glint_harness -run map_ffs:",
+                      "dffunmap -srst-only t:* w:*valid_q %ci1 %d; "
+                      "synth_ecp5 -top glint_harness -run map_ffs:map_luts; opt_merge; "
+                      "synth_ecp5 -top glint_harness -run map_luts:"};
+constexpr Family xc7{"synth_xilinx -flatten", "", "-nodsp", "", "", "", "", ""};
 
 /// What one cell costs. A name that ends with '*' is the beginning of names.
 struct Price {

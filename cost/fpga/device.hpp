@@ -31,11 +31,15 @@ struct Family {
     /// Yosys 0.23 takes the registers out of SB_MAC16. Those of ECP5 keep resets out of the registers, which have none:
     /// what Yosys makes of `x ? 0 : y` costs a way through a LUT to the reset pin, 1 ns.
     std::string_view blocks;
+    /// What follows them; the second for an architecture `deep`, whose many valid bits keep their resets: each would be
+    /// a LUT.
+    std::string_view blocks_end, deep_blocks_end;
     bool times_dsps = true;  ///< the router knows how long a DSP takes
 };
 
-/// What synthesis makes of a product: gates, DSPs that it finds, or the blocks that stand in the source.
-enum class Products { gates, dsps, blocks };
+/// What synthesis makes of a product: gates, DSPs that it finds, or the blocks that stand in the source, of an
+/// architecture that is `deep` or not.
+enum class Products { gates, dsps, blocks, deep_blocks };
 
 struct Device {
     std::string_view name;  ///< as on the command line

@@ -135,9 +135,10 @@ std::string without_layout(std::string_view text) {
 std::string yosys_script(const std::vector<Source>& sources, const Device& device, Products products) {
     const Family& family = *device.family;
     const std::string_view option = products == Products::dsps ? family.dsp_on : family.dsp_off;
+    const bool deep = products == Products::deep_blocks;
     const std::string commands =
-        products == Products::blocks
-            ? std::string(family.blocks)
+        deep || products == Products::blocks
+            ? fmt::format("{}{}", family.blocks, deep ? family.deep_blocks_end : family.blocks_end)
             : fmt::format("{}{}{} -top glint_harness", family.synthesis, option.empty() ? "" : " ", option);
     return fmt::format("read_verilog {}; {}; write_json netlist.json; tee -q -o stat.json stat -json",
                        fmt::join(verilog(sources), " "), commands);

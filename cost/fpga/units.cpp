@@ -92,6 +92,7 @@ PricedUnit lobe_unit_of(const std::string& name, const GoldenModel& model, const
     out.point.profile = model.profile().argument();
     out.point.architecture = architecture.name;
     out.family = architecture.family;
+    out.deep = architecture.parameter("DEEP", 0) != 0;
     out.unit = lobe_unit(module_of(design), model.profile(), tag_w);
     for (const auto& [parameter, value] : architecture.parameters) {
         out.unit.parameters += fmt::format(", .{}({})", parameter, value);

@@ -18,6 +18,7 @@ struct PricedUnit {
     Unit unit;    ///< as it is instantiated
     Design design;
     std::string family;  ///< devices whose blocks it is built of; empty: any
+    bool deep = false;   ///< of an architecture `deep`
     std::vector<Exchange> burst;
     std::shared_ptr<const GoldenModel> rival;  ///< of one: its error is measured when it is priced; null for the lobes
 };

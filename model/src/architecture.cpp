@@ -36,7 +36,9 @@ constexpr int most_stages = 4;
 std::string legal(const Lobe& lobe) {
     std::string out, names;
     for (const Family& family : families()) names += fmt::format("{}{}", names.empty() ? "" : " or ", family.name);
-    if (!lobe.divider) return fmt::format("pipelined[:mN][:FAMILY], N = 1 to {}, FAMILY {}", most_stages, names);
+    if (!lobe.divider)
+        return fmt::format("pipelined{}[:mN][:FAMILY], N = 1 to {}, FAMILY {}", lobe.deep ? "[:deep]" : "", most_stages,
+                           names);
     for (const Divider& divider : dividers)
         out += fmt::format("{}{}[:mN][:FAMILY], ", divider.name, divider.rows ? "[:rN]" : "");
     return out + fmt::format("N of r 1 to {}, N of m 1 to {}, FAMILY {}", most_rows, most_stages, names);
@@ -50,6 +52,14 @@ std::string take_family(std::string_view& rest) {
         return std::string(family.name);
     }
     return {};
+}
+
+/// Whether ":deep" is at the front of `rest`; it is taken off.
+bool take_deep(std::string_view& rest) {
+    constexpr std::string_view word = ":deep";
+    if (!rest.starts_with(word)) return false;
+    rest.remove_prefix(word.size());
+    return true;
 }
 
 /// The N of ":rN" or ":mN", taken off the front of `rest`; 1 where there is none; nothing where it is not legal.
@@ -73,12 +83,14 @@ Architecture parse_architecture(const Lobe& lobe, std::string_view text) {
     if (lobe.divider ? divider == dividers.end() : base != "pipelined") throw refused;
     const std::string family = take_family(rest);
     const bool rows = lobe.divider && divider->rows;
+    const bool deep = lobe.deep && take_deep(rest);
     const std::optional<int> register_every = rows ? take_number(rest, 'r', most_rows) : 1;
     const std::optional<int> stages = register_every ? take_number(rest, 'm', most_stages) : std::nullopt;
     if (!stages || !rest.empty()) throw refused;
 
     Architecture out{std::string(base), {}, family};
     if (*register_every != 1) out.name += fmt::format(":r{}", *register_every);
+    if (deep) out.name += ":deep";
     if (*stages != 1) out.name += fmt::format(":m{}", *stages);
     if (!family.empty()) out.name += ':' + family;
     if (lobe.divider) {
@@ -86,6 +98,7 @@ Architecture parse_architecture(const Lobe& lobe, std::string_view text) {
                           {"REGISTER_EVERY", *register_every}};
     }
     out.parameters.emplace_back("MULTIPLIER_STAGES", *stages);
+    if (lobe.deep) out.parameters.emplace_back("DEEP", deep ? 1 : 0);
     return out;
 }
 
@@ -125,6 +138,7 @@ std::vector<Architecture> listed_architectures(const Lobe& lobe) {
         }
     }
     if (lobe.divider) out.push_back(parse_architecture(lobe, "restoring:r3:m3"));
+    if (lobe.deep) out.push_back(parse_architecture(lobe, "pipelined:deep"));
     return out;
 }
 

@@ -32,7 +32,7 @@ const std::vector<Module>& modules() {
         {"glint_divider",
          {"glint_divider_restoring", "glint_divider_radix4", "glint_divider_iterative", "glint_divider_reciprocal"}},
         {"glint_sqrt"},
-        {"glint_normalise"},
+        {"glint_normalise", {"glint_delay"}},
         {"glint_signed_multiplier", {"glint_delay"}},
         {"glint_dot_product", {"glint_signed_multiplier"}},
         {"glint_nearest", {"glint_divider"}},
@@ -103,8 +103,9 @@ std::span<const Family> families() {
     static const std::array<Family, 2> all{
         {{"ecp5",
           {"glint_multiplier", "glint_divider_restoring", "glint_signed_multiplier", "glint_sqrt", "glint_nearest"},
-          {"MULT18X18D", "CCU2C"}},
-         {"up5k", {"glint_multiplier"}, {"SB_MAC16"}}}};
+          {{"MULT18X18D", "glint_multiplier_block"}, {"CCU2C", "glint_add_sub"}, {"DP16KD", "glint_table_block"}},
+          {"glint_table_block"}},
+         {"up5k", {"glint_multiplier"}, {{"SB_MAC16", "glint_multiplier_block"}}}}};
     return all;
 }
 
@@ -132,8 +133,11 @@ void use_family(HardwareUnit& unit, std::string_view family) {
     }
     unit.files = std::move(files);
     unit.simulation = {};
-    for (const std::string_view primitive : of_family->primitives)
-        unit.simulation.push_back({fmt::format("simulation/{}.v", primitive)});
+    for (const auto& [primitive, module] : of_family->primitives) {
+        const std::string block = fmt::format("blocks/{}/{}", family, module);
+        if (std::ranges::any_of(unit.files, [&](const auto& file) { return file.name.starts_with(block); }))
+            unit.simulation.push_back({fmt::format("simulation/{}.v", primitive)});
+    }
 }
 
 std::vector<HardwareUnit::Port> stream_ports(const std::vector<HardwareUnit::Port>& inputs,
@@ -155,7 +159,8 @@ std::vector<HardwareUnit::Port> stream_ports(const std::vector<HardwareUnit::Por
 HardwareUnit::Architecture timed(const Architecture& architecture, const Block& way) {
     HardwareUnit::Architecture out{architecture.name, architecture.parameters, 0, 1};
     out.latency = way.clocks + division_clocks(architecture, way.quotient_bits) +
-                  way.products * (architecture.parameter("MULTIPLIER_STAGES", 1) - 1);
+                  way.products * (architecture.parameter("MULTIPLIER_STAGES", 1) - 1) +
+                  way.deep * architecture.parameter("DEEP", 0);
     if (!takes_one_a_clock(architecture)) out.interval = out.latency;
     return out;
 }

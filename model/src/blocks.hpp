@@ -16,11 +16,13 @@ struct Block {
     int clocks = 0;                ///< with products of one clock, without a division
     int products = 0;              ///< of glint_multiplier, one after the other
     int quotient_bits = 0;         ///< of its division; 0: there is none
+    int deep = 0;                  ///< clocks that the architecture "deep" adds
 
     /// The clocks of the modules that follow one another, as a block of that name.
-    Block named(std::string_view name) const { return {name, clocks, products, quotient_bits}; }
+    Block named(std::string_view name) const { return {name, clocks, products, quotient_bits, deep}; }
     friend Block operator+(const Block& a, const Block& b) {
-        return {a.module, a.clocks + b.clocks, a.products + b.products, a.quotient_bits + b.quotient_bits};
+        return {a.module, a.clocks + b.clocks, a.products + b.products, a.quotient_bits + b.quotient_bits,
+                a.deep + b.deep};
     }
 };
 
@@ -57,7 +59,11 @@ inline Block cosine(int F) {
     return (product() + step(2) + product() + step(6) + sqrt(F + 2) + step(F + 2)).named("glint_cosine");
 }
 inline Block attenuation() { return (log2() + step(2)).named("glint_attenuation"); }
-inline Block normalise() { return {"glint_normalise", 2}; }
+inline Block normalise(int shift_bits) { return {"glint_normalise", 2, 0, 0, shift_bits - 2}; }
+/// Registers that the architecture "deep" alone has.
+inline Block deep() { return {{}, 0, 0, 0, 1}; }
+/// A table's entry.
+inline Block entry() { return step() + deep(); }
 /// From its factor, which comes five clocks after z; and from z.
 inline Block scaled_power_factor() { return step(3).named("glint_scaled_power"); }
 inline Block scaled_power() { return (step() + parabola() + scaled_power_factor()).named("glint_scaled_power"); }

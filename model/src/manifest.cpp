@@ -120,13 +120,20 @@ std::string families_of(const FileRoots& roots) {
         [&](const Family& family) {
             std::string members;
             HardwareUnit unit;
+            std::vector<HardwareUnit::File> models;
+            for (const auto& primitive : family.primitives)
+                models.push_back({fmt::format("simulation/{}.v", primitive.first)});
             for (const std::string_view name : family.modules) {
                 unit.files = files_of(name);
                 use_family(unit, family.name);
                 members += fmt::format("{}: {}, ", quoted(name), list(unit.files, file, "[", "]", ", "));
             }
+            for (const std::string_view name : family.more) {
+                const HardwareUnit::File own{fmt::format("blocks/{}/{}.v", family.name, name)};
+                members += fmt::format("{}: [{}], ", quoted(name), file(own));
+            }
             return fmt::format(R"({}: {{{}"simulation": {}}})", quoted(family.name), members,
-                               list(unit.simulation, file, "[", "]", ", "));
+                               list(models, file, "[", "]", ", "));
         },
         "{\n  ", "}", ",\n  ");
 }

@@ -8,6 +8,7 @@ module glint_decay_axis_p12 #(
     parameter USER_W = 16,
     parameter WORD_W = 64,
     parameter MULTIPLIER_STAGES = 1,
+    parameter DEEP = 0,
     parameter LOGIC = 0
 ) (
     input  wire              aclk,
@@ -62,6 +63,7 @@ module glint_decay_axis_p12 #(
 
     glint_decay_p12 #(
         .MULTIPLIER_STAGES(MULTIPLIER_STAGES),
+        .DEEP(DEEP),
         .LOGIC(LOGIC),
         .TAG_W(USER_W + 1)
     ) core (

@@ -7,6 +7,7 @@
 module glint_decay_p12 #(
     parameter TAG_W = 16,
     parameter MULTIPLIER_STAGES = 1,
+    parameter DEEP = 0,
     parameter LOGIC = 0
 ) (
     input  wire             clk_i,
@@ -30,6 +31,7 @@ module glint_decay_p12 #(
     wire [15:0] exponent_entry;
     wire [7:0] fall_address;
     wire [22:0] fall_entry;
+    wire fall_clear;
 
     glint_decay #(
         .F       (18),
@@ -44,6 +46,7 @@ module glint_decay_p12 #(
         .LATENCY (9),
         .PRODUCTS(2),
         .MULTIPLIER_STAGES(MULTIPLIER_STAGES),
+        .DEEP(DEEP),
         .TAG_W(TAG_W)
     ) core (
         .clk_i    (clk_i),
@@ -64,27 +67,29 @@ module glint_decay_p12 #(
         .exponent_address_o(exponent_address),
         .exponent_entry_i(exponent_entry),
         .fall_address_o(fall_address),
-        .fall_entry_i(fall_entry)
+        .fall_entry_i(fall_entry),
+        .fall_clear_o(fall_clear)
     );
 
-    glint_table_log_of_log_18_4_12 #(.LOGIC(LOGIC)) logarithm (
+    glint_table_log_of_log_18_4_12 #(.LOGIC(LOGIC), .DEEP(DEEP)) logarithm (
         .clk_i    (clk_i),
         .enable_i (table_enable),
         .address_i(logarithm_address),
         .entry_o  (logarithm_entry)
     );
 
-    glint_table_log2_n_1024_12 #(.LOGIC(LOGIC)) exponent (
+    glint_table_log2_n_1024_12 #(.LOGIC(LOGIC), .DEEP(DEEP)) exponent (
         .clk_i    (clk_i),
         .enable_i (table_enable),
         .address_i(exponent_address),
         .entry_o  (exponent_entry)
     );
 
-    glint_table_fall_4_4_14 #(.LOGIC(LOGIC)) fall (
+    glint_table_fall_4_4_14 #(.LOGIC(LOGIC), .DEEP(DEEP)) fall (
         .clk_i    (clk_i),
         .enable_i (table_enable),
         .address_i(fall_address),
+        .clear_i(fall_clear),
         .entry_o  (fall_entry)
     );
 

@@ -384,15 +384,16 @@ class Prices(Case):
             ("hx8k", False, 1 / 1024, 500, 8, 100, 10),
             ("hx8k", False, 1 / 4096, 900, 32, 0, 99),
             ("up5k", True, 1 / 256, 150, 30, 0, 99),
+            ("ecp5-25k", True, 1 / 1024, 150, 2, 200, 99),
         ]
         errors = {}
-        for device in ("hx8k", "up5k"):
+        for device in ("hx8k", "up5k", "ecp5-25k"):
             self.good("cost", "--data", ROOT / "cost/data", "--lobe", "decay", "--device", device, "--json", "out.json")
             errors.update({c["profile"]: c["error"] for c in json.loads(self.read("out.json"))["configurations"]})
         points = [p for p in json.loads((ROOT / "cost/data/fpga.json").read_text())["points"] if p["lobe"] == "decay"]
         for device, dsp, error, luts, brams, clock, clocks in figures:
             good = [p for p in points if p["device"] == device and p["dsp"] == dsp and errors.get(p["profile"], 1) < error
-                    and p["luts"] <= luts and p["brams"] <= brams and p.get("clock_mhz", 0) >= clock
+                    and p["luts"] <= luts and p["dsps"] <= 2 and p["brams"] <= brams and p.get("clock_mhz", 0) >= clock
                     and p["latency"] <= clocks and p["interval"] == 1 and p["fits"]]
             self.true(len(good) > 0, f"{device} below {error}: {luts} LUTs, {brams} block RAMs, {clock} MHz, {clocks} clocks")
 

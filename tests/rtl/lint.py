@@ -33,7 +33,7 @@ MODULES = {
     "glint_horner": ("S K O I DEGREE CLAMP ITERATIVE MULTIPLIER_STAGES",
                      [(*w, clamp, iterative, stages) for w in ((15, 15, 12, 2, 3), (4, 4, 4, 1, 2), (30, 30, 28, 4, 6))
                       for clamp in (0, 1) for iterative in (0, 1) for stages in (1, 3)]),
-    "glint_normalise": ("WIDTH SHIFT_W OUT_W FILL", ((5, 3, 4, 0), (10, 4, 9, 0), (16, 4, 8, 1), (18, 5, 12, 1), (32, 5, 31, 0))),
+    "glint_normalise": ("WIDTH SHIFT_W OUT_W FILL DEEP", ((5, 3, 4, 0, 0), (10, 4, 9, 0, 1), (16, 4, 8, 1, 0), (18, 5, 12, 1, 1), (32, 5, 31, 0, 0))),
     "glint_delay": ("WIDTH STAGES", ((1, 0), (1, 1), (1, 2), (17, 1), (64, 40))),
     "glint_skid": ("WIDTH", ((1,), (47,))),
     "glint_ports": ("F LATENCY PRODUCTS QUOTIENT_W DIVIDER REGISTER_EVERY MULTIPLIER_STAGES TAG_W",
@@ -187,7 +187,8 @@ def lint(tool, folders):
                                  ("glint_divider_restoring", "X_W Y_W Q_W REGISTER_EVERY", ((3, 1, 2, 1), (34, 28, 16, 3))),
                                  ("glint_signed_multiplier", "WIDTH STAGES", ((8, 1), (16, 2), (18, 4))),
                                  ("glint_sqrt", "Y_W", ((2,), (22,), (31,))),
-                                 ("glint_nearest", "ROOT_W Q_W", ((9, 8), (22, 21)))):
+                                 ("glint_nearest", "ROOT_W Q_W", ((9, 8), (22, 21))),
+                                 ("glint_table_block", "", ((),))):
             family_files = [RTL / name for name in family.get(top, [])]
             listed.update(models + family_files)
             for values in sets if family_files else ():

@@ -7,7 +7,7 @@ RTL = Path(__file__).resolve().parents[2] / "rtl"
 
 
 def read(folder=RTL, rtl=RTL):
-    """A folder's manifest; what `files` and `modules` list are paths, those by hand in `rtl`."""
+    """A folder's manifest; what `files` and `modules` list are paths, those by hand in `rtl`; models for simulation first."""
     manifest = json.loads((Path(folder) / "units.json").read_text())
     if manifest["format"] != 1 or not manifest["units"]:
         raise ValueError(f"{folder}/units.json: format {manifest['format']}, {len(manifest['units'])} units")
@@ -16,7 +16,7 @@ def read(folder=RTL, rtl=RTL):
         return [Path(folder) / file.replace("$(GLINT_RTL)", str(Path(rtl).resolve())) for file in files]
 
     for unit in manifest["units"]:
-        unit["files"] = paths(unit["files"])
+        unit["files"] = paths(unit.get("simulation", []) + unit["files"])
     manifest["modules"] = {name: paths(files) for name, files in manifest["modules"].items()}
     return manifest
 

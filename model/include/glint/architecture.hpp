@@ -14,7 +14,7 @@ struct Lobe;
 struct Architecture {
     std::string name;  ///< canonical: what is as in the default is left out, e.g. "restoring", "radix4:r2:m3"
     /// Of the unit and of its wrappers, as in docs/rtl.md: DIVIDER (0 restoring, 1 radix4, 2 iterative, 3 reciprocal)
-    /// and REGISTER_EVERY for a lobe with a divider, MULTIPLIER_STAGES for all.
+    /// and REGISTER_EVERY for a lobe with a divider, MULTIPLIER_STAGES for all, DEEP (0 or 1) where the lobe has it.
     std::vector<std::pair<std::string, int>> parameters;
     std::string family = {};  ///< devices whose own blocks it is built of, a name of families(); empty: any device
 
@@ -25,8 +25,9 @@ struct Architecture {
 };
 
 /// For a lobe with a divider "DIVIDER[:rN][:mN][:FAMILY]" with DIVIDER one of restoring, radix4, iterative, reciprocal;
-/// for others "pipelined[:mN][:FAMILY]". rN, of restoring and radix4: a register after every N rows of the divider, 1
-/// to 32; mN: a product takes N clocks, 1 to 4. Both are 1 where they are left out. FAMILY: ecp5 or up5k. Throws Error.
+/// for others "pipelined[:deep][:mN][:FAMILY]". rN, of restoring and radix4: a register after every N rows of the
+/// divider, 1 to 32; mN: a product takes N clocks, 1 to 4. Both are 1 where they are left out. deep, of `decay`: a
+/// register after each step of glint_normalise, and one more after each table. FAMILY: ecp5 or up5k. Throws Error.
 Architecture parse_architecture(const Lobe& lobe, std::string_view text);
 
 /// For the unit of an effect "default[:mN][:FAMILY]", with mN where it has the parameter MULTIPLIER_STAGES; its name is
@@ -37,7 +38,7 @@ Architecture parse_architecture(const HardwareUnit& unit, std::string_view text)
 Architecture default_architecture(const Lobe& lobe);
 
 /// Those that documents, prices and the manifest list, the default first: each divider with products of one clock and
-/// of two, or "pipelined" so; and an example of rows.
+/// of two, or "pipelined" so; an example of rows; "pipelined:deep".
 std::vector<Architecture> listed_architectures(const Lobe& lobe);
 
 /// The clocks of a division of so many quotient bits; 0 bits are none.

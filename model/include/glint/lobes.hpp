@@ -30,6 +30,7 @@ struct Lobe {
     /// The numbers of the custom profile that is the shipped one with this F and O, by a rule that holds for others
     /// too.
     std::vector<int> (*numbers)(int F, int O) = nullptr;
+    bool deep = false;       ///< its unit can have more registers: the architecture "pipelined:deep"
     double bound_ulp = 1.0;  ///< the rounding error of a shipped profile is below it, in ulps, at every legal input
 };
 

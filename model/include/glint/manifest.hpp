@@ -71,7 +71,9 @@ inline constexpr FileRoots emitted_list{"$(GLINT_RTL)/", "$(GLINT_EMITTED)/"};
 /// parameters, bits and clocks, made of primitives that rtl/simulation/ has models of.
 struct Family {
     std::string_view name;
-    std::vector<std::string_view> modules, primitives;
+    std::vector<std::string_view> modules;
+    std::vector<std::pair<std::string_view, std::string_view>> primitives;  ///< each with how modules of it begin
+    std::vector<std::string_view> more = {};  ///< modules of the family alone, each a file of rtl/blocks/NAME
 };
 std::span<const Family> families();
 

@@ -163,7 +163,7 @@ std::unique_ptr<GoldenModel> make_decay(const Profile& profile) {
 
 Table piece_table(std::string_view name, std::string module, const std::vector<DecayFormat::Piece>& pieces,
                   int base_bits, int slope_bits) {
-    Table out{std::string(name), {{"base", base_bits}, {"slope", slope_bits}}, {}, std::move(module), true};
+    Table out{std::string(name), {{"base", base_bits}, {"slope", slope_bits}}, {}, std::move(module), true, false};
     for (const DecayFormat::Piece& p : pieces) {
         if (p.base < 0 || p.slope < 0 || p.base >> base_bits != 0 || p.slope >> slope_bits != 0) {
             throw Error(
@@ -177,7 +177,11 @@ Table piece_table(std::string_view name, std::string module, const std::vector<D
 std::vector<GeneratedFile> emit_decay(const Profile& profile, const Architecture& architecture) {
     const DecayFormat f = decay_format(profile);
     const auto text = [](int value) { return std::to_string(value); };
-    Table exponent{"exponent", {{"lambda", f.V}}, {}, fmt::format("log2_n_{}_{}", f.exponent.size() << f.N, f.V), true};
+    Table fall =
+        piece_table("fall", fmt::format("fall_{}_{}_{}", f.W, f.H, f.O + f.G), f.fall, f.O + f.G, f.step_bits());
+    fall.clears = true;
+    Table exponent{"exponent", {{"lambda", f.V}}, {}, fmt::format("log2_n_{}_{}", f.exponent.size() << f.N, f.V), true,
+                   false};
     if (f.N != 0) exponent.fields.insert(exponent.fields.begin(), {"octave", 4});
     for (int n = f.N != 0 ? 0 : 512; n < 1024; ++n) {
         const int k = static_cast<int>(std::bit_width(static_cast<unsigned>(n | 1))) - 1;
@@ -187,8 +191,8 @@ std::vector<GeneratedFile> emit_decay(const Profile& profile, const Architecture
     }
     return generated_sources(
         f.lobe, profile, architecture,
-        {{block::stream(), block::step(), block::normalise(), block::step(), block::rounded(), block::step(),
-          block::rounded()},
+        {{block::stream(), block::step(), block::normalise(f.E), block::entry(), block::rounded(), block::entry(),
+          block::rounded(), block::deep()},
          {"glint_delay"}},
         {{"F", text(f.F), ""},
          {"A", text(f.A), ""},
@@ -211,8 +215,7 @@ std::vector<GeneratedFile> emit_decay(const Profile& profile, const Architecture
          {"int E", text(f.E), "bits of e"}},
         {piece_table("logarithm", fmt::format("log_of_log_{}_{}_{}", f.F, f.A, f.V), f.logarithm, f.base_bits(),
                      f.slope_bits()),
-         exponent,
-         piece_table("fall", fmt::format("fall_{}_{}_{}", f.W, f.H, f.O + f.G), f.fall, f.O + f.G, f.step_bits())});
+         exponent, fall});
 }
 
 std::vector<HardCase> decay_hard_cases(const GoldenModel& model) {
@@ -247,6 +250,7 @@ Lobe decay_lobe() {
             {},
             false,
             decay_numbers,
+            true,
             2.0};
 }
 

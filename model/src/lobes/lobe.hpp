@@ -80,8 +80,8 @@ struct Constant {
 };
 
 /// A read-only memory beside a unit. The unit has the ports <name>_address_o and <name>_entry_i; the entry is there one
-/// enabled clock (table_enable_o) after the address: the fields side by side, the first the most significant. The
-/// kernel gets a function <name>_<field>(index) for each field.
+/// enabled clock (table_enable_o) after the address, two with DEEP = 1: the fields side by side, the first the most
+/// significant. The kernel gets a function <name>_<field>(index) for each field.
 struct Table {
     struct Field {
         std::string name;
@@ -91,7 +91,10 @@ struct Table {
     std::vector<Field> fields;
     std::vector<std::vector<std::int64_t>> rows;  ///< 2^k of them, each with a value per field
     std::string module;                           ///< glint_table_<module> in Verilog: tables of one name are equal
-    bool chosen = false;  ///< its module and the wrapper have the parameter LOGIC: 1 keeps it out of block memory
+    bool chosen =
+        false;  ///< its module and the wrapper have the parameters LOGIC (1 keeps it out of block memory), DEEP
+    bool clears =
+        false;  ///< one that is chosen: the unit has <name>_clear_o, one clock after the address; the entry is 0
 };
 
 /// What tables add to the module of a generated wrapper: its wires, the connections of the unit inside (each with a
@@ -99,10 +102,14 @@ struct Table {
 struct TableText {
     std::string wires, ports, instances;
 };
-TableText table_text(const std::vector<Table>& tables, bool wrapper_has_logic = false);
+TableText table_text(const std::vector<Table>& tables, const Architecture& architecture = {});
+
+/// Whether one of them is.
+bool is_chosen(const std::vector<Table>& tables);
 
 /// `files`, and the modules of tables, a file each; one that several tables share is there once.
-std::vector<GeneratedFile> with_tables(std::vector<GeneratedFile> files, const std::vector<Table>& tables);
+std::vector<GeneratedFile> with_tables(std::vector<GeneratedFile> files, const std::vector<Table>& tables,
+                                       const Architecture& architecture = {});
 
 /// An HLS kernel: a function template on a struct of constants, in <folder>/glint_<kernel>.hpp beside the generated
 /// folder.
@@ -126,7 +133,8 @@ GeneratedFile top_function(const Kernel& kernel, const Profile& profile);
 std::string verilog_literal(std::int64_t value, int width);
 
 /// What tables and numbers add to the description of a unit. The unit's own file stays the last.
-void describe(HardwareUnit& unit, const std::vector<Constant>& parameters, const std::vector<Table>& tables);
+void describe(HardwareUnit& unit, const std::vector<Constant>& parameters, const std::vector<Table>& tables,
+              const Architecture& architecture = {});
 
 /// The Verilog wrappers of the unit and of its AXI4-Stream form, with the parameters set, those of the architecture as
 /// parameters of the wrapper, and the tables beside the unit; and the HLS header of constants.

@@ -1,0 +1,48 @@
+#!/usr/bin/env python3
+"""Architectures that rtl/ does not hold: `glint emit` writes each, and Icarus replays vectors through it.
+
+    forms_test.py GLINT
+"""
+
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+from icarus import Failed
+from replay import replay
+
+# With and without a row for each n; tables that share a block memory of ECP5, and a table of both its ports.
+FORMS = (
+    ("decay", "p8", "pipelined:deep"),
+    ("decay", "16,4,8,8,4,1,4,0,9", "pipelined:deep:m3"),
+    ("decay", "p8", "pipelined:deep:m2:ecp5"),
+    ("decay", "p12", "pipelined:deep:m2:ecp5"),
+)
+
+
+def run(*command):
+    done = subprocess.run(command, capture_output=True, text=True)
+    if done.returncode != 0:
+        raise Failed(f"{' '.join(map(str, command))}: exit status {done.returncode}\n{done.stdout}{done.stderr}")
+
+
+def main():
+    glint = sys.argv[1]
+    try:
+        for lobe, profile, architecture in FORMS:
+            print(lobe, profile, architecture)
+            with tempfile.TemporaryDirectory() as folder:
+                of = ("--lobe", lobe, "--profile", profile, "-o", folder)
+                run(glint, "emit", "--architecture", architecture, "--target", "verilog", *of)
+                run(glint, "vectors", "--count", "1000", "--format", "hex", *of)
+                [vectors] = Path(folder).glob("*.hex")
+                replay(vectors, "core", Path(folder))
+    except Failed as failed:
+        print(f"forms_test.py: FAILED: {failed}", file=sys.stderr)
+        return 1
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
