@@ -3,6 +3,7 @@
 // It models the product of 18 x 18 bits, signed or not by SIGNEDA and SIGNEDB, and the registers of operands, middle and
 // product: each is there when its ..._CLK is "CLK0", moves at the rising edge of CLK0 when CE0 is 1, and starts unknown.
 // It has no reset (RST0 has to be 0), no other clocks, no cascade, no third operand, and no time.
+// The macro NETLIST adds the pins of the third operand, which Yosys ties to 0.
 
 `default_nettype none
 // verilator lint_off TIMESCALEMOD
@@ -20,6 +21,9 @@ module MULT18X18D #(
     input  wire SIGNEDA, SIGNEDB,
     /* verilator lint_off UNUSED */
     input  wire SOURCEA, SOURCEB, RST0,
+`ifdef NETLIST
+    input  wire C0, C1, C2, C3, C4, C5, C6, C7, C8, C9, C10, C11, C12, C13, C14, C15, C16, C17,
+`endif
     /* verilator lint_on UNUSED */
     input  wire CLK0, CE0,
     output wire P0, P1, P2, P3, P4, P5, P6, P7, P8,

@@ -12,13 +12,15 @@ class Failed(Exception):
     """A run that is no success; the text says why."""
 
 
-def build(executable, top, files, parameters=None, macros=None, warnings=True):
-    """Compiles; a warning is a failure, unless `warnings` are off: for Verilog that is not ours."""
-    command = ["iverilog", "-g2005", *(["-Wall"] if warnings else []), "-s", top, "-o", str(executable)]
+def build(executable, top, files, parameters=None, macros=None, strict=True):
+    """Compiles; a warning is a failure, unless `strict` is off: for Verilog that is not ours, of any year."""
+    command = ["iverilog", *(["-g2005", "-Wall"] if strict else ["-g2012"]), "-s", top, "-o", str(executable)]
+    if not strict:
+        command += sorted({f"-I{Path(file).parent}" for file in files})
     command += [f"-P{top}.{name}={value}" for name, value in (parameters or {}).items()]
     command += [f"-D{name}={value}" for name, value in (macros or {}).items()]
     done = subprocess.run(command + [str(file) for file in files], capture_output=True, text=True)
-    if done.returncode != 0 or warnings and (done.stdout or done.stderr):
+    if done.returncode != 0 or strict and (done.stdout or done.stderr):
         raise Failed(f"{' '.join(command)}: exit status {done.returncode}\n{done.stdout}{done.stderr}")
 
 

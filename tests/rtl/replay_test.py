@@ -72,6 +72,7 @@ class Checks:
         self.expect(1, r"holds 0 lines, not 0\n0 vectors, 1 mismatches\n", text="", manifest=none)
         self.expect(1, r"vector file '.*edited.hex' cannot be read\n0 vectors, 1 mismatches\n")
         self.expect(2, r"^replay.py: manifest '.*edited.json' cannot be used: .*\n\Z", text=text, manifest="")
+        self.expect(2, r"^replay.py: --define '2=x' is not legal: NAME or NAME=VALUE\n\Z", "--define", "2=x", "--", text=text)
         unnamed = self.manifest.replace('"count"', '"n"')
         self.expect(2, r"manifest '.*' cannot be used: 'count'", text=text, manifest=unnamed)
 
