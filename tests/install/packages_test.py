@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""An installed share/glint/rtl through tools that are not ours: the replay bench, FuseSoC (lint, sim), ghdl with Icarus.
+"""An installed share/glint/rtl through tools that are not ours: the replay bench, ghdl with Icarus.
 
     packages_test.py PREFIX        what is missing is said in a line
 """
@@ -64,18 +64,6 @@ def vhdl(prefix, folder):
     print(f"ghdl, iverilog: y {expected}")
 
 
-def fusesoc(prefix, folder):
-    share = prefix / "share/glint"
-    run(prefix / "bin/glint", "vectors", "--profile", "p8", "--count", 1000, "--format", "hex", "-o", "vectors", folder=folder)
-    base = ("fusesoc", "--cores-root", share / "rtl", "--cores-root", share / "bench/replay", "run")
-    run(*base, "--target=lint", f"glint:rtl:{UNIT}", folder=folder)
-    said = subprocess.run([*map(str, base), "--target=sim", f"glint:rtl:{UNIT}", "--COUNT", "1000", "--vectors",
-                           str(folder / f"vectors/{UNIT}.hex")], capture_output=True, text=True, cwd=folder)
-    if "1000 vectors, 0 mismatches" not in said.stdout + said.stderr:
-        sys.exit(f"packages_test.py: FAILED: fusesoc sim\n{said.stdout}{said.stderr}")
-    print("fusesoc: lint, sim: 1000 vectors, 0 mismatches")
-
-
 def replay(prefix, folder):
     run(prefix / "bin/glint", "vectors", "--profile", "p8", "--count", 1000, "--format", "hex", "-o", "vectors", folder=folder)
     said = run(sys.executable, prefix / "share/glint/bench/replay/replay.py", f"vectors/{UNIT}.hex", folder=folder)
@@ -86,7 +74,7 @@ def replay(prefix, folder):
 
 def main():
     prefix = Path(sys.argv[1]).resolve()
-    for tools, check in ((("iverilog",), replay), (("ghdl", "iverilog"), vhdl), (("fusesoc", "verilator", "iverilog"), fusesoc)):
+    for tools, check in ((("iverilog",), replay), (("ghdl", "iverilog"), vhdl)):
         missing = [tool for tool in tools if not shutil.which(tool)]
         if missing:
             print(f"{check.__name__}: skipped, no {missing[0]}")
