@@ -95,9 +95,9 @@ struct Bench : sc_core::sc_module {
         }
         if (!valid_in || ready_in) {
             valid_in = reset_n && sent < count && chance(80);
-            n = random() & 0x3ffU;
+            n = uint32_t(random()) & 0x3ffU;
             // Half of them legal.
-            cosine = chance(50) ? random() % ((1U << 18U) + 1) : random() & 0xfffffU;
+            cosine = chance(50) ? uint32_t(random()) % ((1U << 18U) + 1) : uint32_t(random()) & 0xfffffU;
             tag_in = sent & 0xffffU;
         }
         ready_out = chance(70);
