@@ -32,7 +32,8 @@ def plan():
         units[f"bps-{architecture.replace(':', '-')}"] = ("glint_bps_p8", architecture)
     units |= {"cayley-iterative": ("glint_cayley_p8", "iterative"), "taylor-m2": ("glint_taylor_p8", "pipelined:m2"),
               "bps-axis": ("glint_bps_axis_p12", "restoring")}
-    return units | {effect: (f"glint_effect_{effect}_p8", "default") for effect in EFFECTS}
+    units |= {effect: (f"glint_effect_{effect}_p8", "default") for effect in EFFECTS}
+    return units | {"tint-axis": ("glint_effect_tint_axis_p12", "default")}
 
 
 def digest(path):
@@ -183,10 +184,12 @@ class Faults:
     """A unit with faults: their list, and the library that glint-mutants loads."""
 
     def __init__(self, name, manifest, build, folder):
-        self.name, self.folder, self.build = name, Path(folder), build
+        self.name, self.folder, self.build, self.faults = name, Path(folder), build, []
         self.unit, self.architecture, self.parameters = manifest[name]
         self.module = self.unit["name"]
-        if self.unit["kind"] != "lobe_axis":
+        self.form = "axis" if self.unit["kind"].endswith("_axis") else "core"
+        self.numbers = manifest.units[self.unit["core"]["module"]] if self.form == "axis" else self.unit
+        if self.form == "core":
             self.parameters = {**self.parameters, "TAG_W": 31}
 
     def read(self):
@@ -209,8 +212,10 @@ opt_clean
         run("yosys", "-q", "script.ys", cwd=self.folder)
 
     def list(self, shares):
+        """The faults, numbered from 1."""
+        if self.faults:
+            return self.faults
         (self.folder / "select.v").write_text(SELECT)
-        self.faults = []
         for file, share in shares.items():
             if "glint_table_" in file:
                 faults = table_faults(file, share)
@@ -241,19 +246,23 @@ opt_clean
         self.yosys(script + "opt_clean\nwrite_verilog -noattr faults.v\n")
         (self.folder / "mutant.v").write_text(
             f"module glint_mutant (output wire [15:0] mutant_o); assign mutant_o = {self.module}.mutant_i; endmodule\n")
+        return self.compile(["faults.v", "mutant.v"], "mutant_i = static_cast<SData>(chosen_mutant);")
+
+    def compile(self, verilog, prepare=""):
+        """The library of a unit from Verilog; `prepare` is done before its first clock."""
         run(ROOT / "testbench/verilate.sh", self.folder / "cpp", "Vunit", "--top-module", self.module, "-Wno-fatal",
-            "-Wno-lint", "-Wno-UNOPTFLAT", "faults.v", "mutant.v", cwd=self.folder)
+            "-Wno-lint", "-Wno-UNOPTFLAT", *verilog, cwd=self.folder)
         cpp = self.folder / "cpp"
-        (cpp / "mutated.inc").write_text("""#include "Vunit.all.inc"
-namespace {
+        (cpp / "mutated.inc").write_text(f"""#include "Vunit.all.inc"
+namespace {{
 int chosen_mutant = 0;
-class Mutated : public Vunit {
+class Mutated : public Vunit {{
 public:
-    explicit Mutated(VerilatedContext* context) : Vunit(context) { mutant_i = static_cast<SData>(chosen_mutant); }
-};
-}  // namespace
+    explicit Mutated(VerilatedContext* context) : Vunit(context) {{ {prepare} }}
+}};
+}}  // namespace
 extern "C" void glint_choose_mutant(int number);
-extern "C" void glint_choose_mutant(int number) { chosen_mutant = number; }
+extern "C" void glint_choose_mutant(int number) {{ chosen_mutant = number; }}
 """)
         tools = json.loads((self.build / "mutants.json").read_text())
         command = [tools["launcher"]] if tools["launcher"] else []
@@ -294,25 +303,25 @@ sat -verify -prove trigger 0 -timeout 20 miter
         return done.returncode == 0
 
     def pins(self):
-        if self.unit["kind"] == "lobe_axis":
-            return []
+        """What register_unit.cpp is told of the unit's ports, as by glint_unit in cmake/GlintUnits.cmake."""
         pins = {"input": "", "output": ""}
-        for port in self.unit["ports"]:
+        for port in self.numbers["ports"]:
             if re.fullmatch("clk_i|rst_ni|valid_[io]|ready_[io]|tag_[io]|clamped_o", port["name"]):
                 continue
-            signed = port["signed"] and port["direction"] == "output"
-            pins[port["direction"]] += f" GLINT_SIGNED_PIN({port['name']},{port['width']})" if signed else f" GLINT_PIN({port['name']})"
-        return [f"-DGLINT_INPUTS={pins['input']}", f"-DGLINT_OUTPUTS={pins['output']}"]
+            name, signed = port["name"], port["signed"] and port["direction"] == "output"
+            pins[port["direction"]] += f" GLINT_SIGNED_PIN({name},{port['width']})" if signed else f" GLINT_PIN({name})"
+        return [f"-DGLINT_INPUTS={pins['input']}", f"-DGLINT_OUTPUTS={pins['output']}", f'-DGLINT_UNIT="{self.form}"',
+                "-DGLINT_AXIS" if self.form == "axis" else "-DGLINT_STREAM"]
 
     def judge(self, library, numbers, steps):
         """Number and what found it, one after another."""
         if not numbers:
             return {}
-        arguments = ["--library", library, "--profile", self.unit["profile"], "--steps", steps]
-        if self.unit["kind"] == "effect":
+        arguments = ["--library", library, "--profile", self.unit["profile"], "--steps", steps, "--unit", self.form]
+        if self.unit["effect"]:
             arguments += ["--effect", self.unit["effect"]]
         else:
-            arguments += ["--unit", "axis" if self.unit["kind"] == "lobe_axis" else "core", "--architecture", self.architecture]
+            arguments += ["--architecture", self.architecture]
         if self.unit["lobe"]:
             arguments += ["--lobe", self.unit["lobe"]]
         output = run(self.build / "glint-mutants", *arguments, "--mutants", ",".join(map(str, numbers)))

@@ -5,6 +5,7 @@
     mutants.py --build build/release --unit bps-radix4  one unit
     mutants.py --build build/release --part 1/4         a quarter of the units
     mutants.py --build build/release --sample 100       as many faults of bps p8; each is to be found as the record says
+    mutants.py --build build/release --changed          units whose files changed: are as many faults found as before?
     mutants.py --check                                  counts the record; fails for a survivor or a file that has changed
 
 Yosys lists faults (`mutate -list`) of a flattened unit: a bit that is inverted, stuck, or inverted by a neighbour. Some of
@@ -24,7 +25,7 @@ from pathlib import Path
 from faults import HERE, RTL, Failed, Faults, Manifest, digest, plan
 
 RECORD = HERE / "faults.jsonl"
-STEPS = ["short", "solver", "long", "all"]
+STEPS = ["short", "middle", "solver", "long", "all"]
 
 
 def read_record(file):
@@ -42,60 +43,57 @@ def write_record(file, lines):
 
 def stale(name, manifest, record):
     """The files of a unit whose faults the record does not hold, or holds of another content."""
-    of_file = {line["file"]: line["sha256"] for line in record if line["unit"] == name}
+    of_file = {line["file"]: line["sha256"] for line in record if line["unit"] == name and line["kind"] != "parameter"}
     if not of_file:
         return list(manifest[name][0]["files"])
     return [file for file, sha in of_file.items() if digest(RTL / file) != sha]
 
 
-def try_unit(name, manifest, build, shares, record):
+def try_unit(faults, shares, record):
     """The record with the faults of a unit, as the short tests find them."""
-    with tempfile.TemporaryDirectory() as folder:
-        faults = Faults(name, manifest, build, folder)
-        listed = faults.list(shares)
-        library = faults.library({f["number"] for f in listed})
-        clean = faults.judge(library, [0], "short")[0]
-        if clean["killed_by"]:
-            raise Failed(f"{name} without a fault fails: {clean}")
-        judged = faults.judge(library, [f["number"] for f in listed], "short")
+    name, listed = faults.name, faults.list(shares)
+    library = faults.library({f["number"] for f in listed})
+    clean = faults.judge(library, [0], "short")[0]
+    if clean["killed_by"]:
+        raise Failed(f"{name} without a fault fails: {clean}")
+    judged = faults.judge(library, [f["number"] for f in listed], "short")
     lines = []
     for fault in listed:
         lines.append({"unit": name, "module": Path(fault["file"]).stem, "number": fault["number"], "kind": fault["kind"],
                       "file": fault["file"], "line": fault["line"], "mutation": fault["mutation"],
                       "sha256": digest(RTL / fault["file"]), "killed_by": judged[fault["number"]]["killed_by"]})
     print(f"{name}: {len(lines)} faults, {sum(not l['killed_by'] for l in lines)} left", flush=True)
-    return [line for line in record if line["unit"] != name] + lines
+    return [line for line in record if line["unit"] != name or line["kind"] == "parameter"] + lines
 
 
 def is_open(line):
     return not line["killed_by"] and not line.get("equivalent")
 
 
-def try_left(name, manifest, build, shares, record, step):
+def try_left(faults, shares, record, step):
     """The record, in which what is left of a unit's faults has met one of STEPS more."""
-    left = [line for line in record if line["unit"] == name and is_open(line)
+    name = faults.name
+    left = [line for line in record if line["unit"] == name and line["kind"] != "parameter" and is_open(line)
             and STEPS.index(line.get("tried", "short")) < STEPS.index(step)]
-    if not left or step == "all" and manifest[name][0]["kind"] == "effect":
+    if not left or step == "all" and faults.unit["effect"]:
         return record
-    with tempfile.TemporaryDirectory() as folder:
-        faults = Faults(name, manifest, build, folder)
-        listed = {f["number"]: f for f in faults.list(shares)}
+    listed = {f["number"]: f for f in faults.list(shares)}
+    for line in left:
+        fault = listed[line["number"]]
+        if (fault["file"], fault["mutation"]) != (line["file"], line["mutation"]):
+            raise Failed(f"{name}: fault {line['number']} is not that of the record; take the unit out of the record")
+        line["tried"] = step
+    if step == "solver":
         for line in left:
-            fault = listed[line["number"]]
-            if (fault["file"], fault["mutation"]) != (line["file"], line["mutation"]):
-                raise Failed(f"{name}: fault {line['number']} is not that of the record; try the unit again: --unit {name}")
-            line["tried"] = step
-        if step == "solver":
-            for line in left:
-                if faults.equivalent(listed[line["number"]]):
-                    line["equivalent"] = step
-        else:
-            numbers = [line["number"] for line in left]
-            judged = faults.judge(faults.library(set(numbers)), numbers, step)
-            for line in left:
-                line["killed_by"] = judged[line["number"]]["killed_by"]
-                if step == "all" and is_open(line) and line["kind"] == "data":
-                    line["equivalent"] = "every legal input, every illegal one"
+            if faults.equivalent(listed[line["number"]]):
+                line["equivalent"] = step
+    else:
+        numbers = [line["number"] for line in left]
+        judged = faults.judge(faults.library(set(numbers)), numbers, step)
+        for line in left:
+            line["killed_by"] = judged[line["number"]]["killed_by"]
+            if step == "all" and is_open(line) and line["kind"] in ("data", "table"):
+                line["equivalent"] = "every legal input, every illegal one"
     print(f"{name}: {len(left)} left, {sum(map(is_open, left))} after {step}", flush=True)
     return record
 
@@ -121,22 +119,28 @@ def sample(count, manifest, build, shares, record):
 
 
 def summary(record):
-    found = [line for line in record if line["killed_by"]]
-    equivalent = [line for line in record if line.get("equivalent")]
-    survivors = [line for line in record if is_open(line)]
-    for title, key in (("unit", "unit"), ("kind", "kind"), ("found by", "killed_by")):
-        counts = Counter(line[key] or "(none)" for line in record)
-        print(f"{title}: " + ", ".join(f"{name} {count}" for name, count in sorted(counts.items())))
-    print(f"{len(record)} faults: {len(found)} found, {len(equivalent)} equivalent, {len(survivors)} survive")
-    return survivors
+    """Prints the counts; returns the faults that nothing finds and that are not shown to be equivalent."""
+    def state(line):
+        return "open" if is_open(line) else "found" if line["killed_by"] else "equivalent"
+
+    for title in ("kind", "unit"):
+        for value in dict.fromkeys(line[title] for line in record):
+            counts = Counter(state(line) for line in record if line[title] == value)
+            print(f"{title} {value}: " + ", ".join(f"{counts[name]} {name}" for name in ("found", "equivalent", "open")))
+    tests = Counter(re.split(r"[ ,]", line["killed_by"])[0] for line in record if line["killed_by"])
+    print("found by: " + ", ".join(f"{name} {count}" for name, count in tests.most_common()))
+    counts = Counter(map(state, record))
+    print(f"{len(record)} faults: {counts['found']} found, {counts['equivalent']} equivalent, {counts['open']} open")
+    return [line for line in record if is_open(line)]
 
 
 def check(manifest):
     record = read_record(RECORD)
     survivors = summary(record)
     for line in survivors:
-        print(f"survives: {line['unit']} {line['file']}:{line['line']} {line['kind']} {line['mutation']}")
+        print(f"open: {line['unit']} {line['file']}:{line['line']} {line['kind']} {line['mutation']}")
     changed = {(name, file) for name in plan() for file in stale(name, manifest, record)}
+    changed |= {(line["unit"], line["file"]) for line in record if digest(RTL / line["file"]) != line["sha256"]}
     for name, file in sorted(changed):
         print(f"not tried as it stands: {name} {file}")
     return 1 if survivors or changed or not record else 0
@@ -147,6 +151,8 @@ def main():
     parser.add_argument("--build", type=Path, help="a build folder with glint-mutants")
     parser.add_argument("--unit", help="one unit: " + ", ".join(plan()))
     parser.add_argument("--part", default="1/1", help="i/N: the i-th of N parts of the units")
+    parser.add_argument("--changed", action="store_true",
+                        help="units whose files have changed; fails where more of a unit's faults are open than in the record")
     parser.add_argument("--until", choices=STEPS, default="all",
                         help="ends with this step; what the short tests do not find meets the solver, then longer tests")
     parser.add_argument("--sample", type=int, metavar="N", help="N faults of bps p8: found as the record says?")
@@ -175,18 +181,32 @@ def main():
     except Failed as failed:
         print(f"mutants.py: FAILED: {failed}", file=sys.stderr)
         return 1
+    if options.changed:
+        write_record(options.record, read_record(RECORD))
     broken = False
+    before = Counter(line["unit"] for line in read_record(RECORD) if is_open(line))
+    tried = []
     for name in names:
         try:
-            record = read_record(options.record)
-            if stale(name, manifest, record):
-                write_record(options.record, try_unit(name, manifest, options.build, shares[name], record))
-            for step in STEPS[1:STEPS.index(options.until) + 1]:
+            with tempfile.TemporaryDirectory() as folder:
+                faults = Faults(name, manifest, options.build, folder)
                 record = read_record(options.record)
-                write_record(options.record, try_left(name, manifest, options.build, shares[name], record, step))
+                if stale(name, manifest, record):
+                    write_record(options.record, try_unit(faults, shares[name], record))
+                elif options.changed:
+                    continue
+                tried.append(name)
+                for step in STEPS[1:STEPS.index(options.until) + 1]:
+                    record = read_record(options.record)
+                    write_record(options.record, try_left(faults, shares[name], record, step))
         except Failed as failed:
             broken = True
             print(f"mutants.py: FAILED: {failed}", file=sys.stderr, flush=True)
+    if options.changed:
+        after = Counter(line["unit"] for line in read_record(options.record) if is_open(line))
+        worse = [name for name in tried if after[name] > before[name]]
+        print(f"{len(tried)} units with changed files; more faults than before are open in: {', '.join(worse) or 'none'}")
+        return 1 if worse or broken else 0
     return 1 if summary(read_record(options.record)) or broken else 0
 
 
