@@ -149,8 +149,9 @@ def main():
                 return 1
         if lines:
             files = {line["file"] for line in lines}
+            now = {file: digest(RTL / file) for file in files}
             kept = [line for line in read_record(options.record)
-                    if not (line["unit"] == name and line["kind"] == "parameter" and line["file"] in files)]
+                    if not (line["unit"] == name and line["kind"] == "parameter" and line["sha256"] != now.get(line["file"], line["sha256"]))]
             write_record(options.record, kept + lines)
             print(f"{name}: {len(lines)} parameters, {sum(map(is_open, lines))} survive", flush=True)
     return 1 if summary([line for line in read_record(options.record) if line["kind"] == "parameter"]) else 0
