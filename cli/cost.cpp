@@ -134,6 +134,7 @@ void add_cost(CLI::App& app, Chosen& chosen) {
     o->of_fpga = {
         command->add_option("--architecture", on_fpga.architecture,
                             "--fpga: architectures (docs/rtl.md), or all; else each lobe's default"),
+        command->add_flag("--shell", on_fpga.shell, "--fpga: each unit, and its AXI4-Stream unit beside it"),
         command->add_option("--dsp", on_fpga.dsp, "--fpga: on, off or both")->capture_default_str(),
         command->add_option("--seeds", on_fpga.seeds, "--fpga: of place and route; the clock is the median")
             ->capture_default_str(),

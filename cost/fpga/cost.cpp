@@ -154,7 +154,9 @@ void measure(const Options& options) {
             if (!tool.empty()) tools[tool] = flow.version(tool);
         }
     }
-    const PriceFile file = options.effect.empty() ? PriceFile::lobes : PriceFile::effects;
+    const PriceFile file = options.shell            ? PriceFile::shells
+                           : options.effect.empty() ? PriceFile::lobes
+                                                    : PriceFile::effects;
     if (!options.json.empty()) merged(options.json, file, tools, {});  // what can be refused is, before the work
     std::vector<std::vector<Source>> sources;
     for (const Request& request : all) sources.push_back(read_sources(options.rtl, request.what->design));
@@ -175,7 +177,9 @@ bool is_current(const Point& point, const std::string& rtl) {
     if (point.mask) options.mask = std::to_string(*point.mask);
     options.profile = point.profile;
     options.architecture = point.architecture;
-    const PricedUnit priced = priced_units(options).front();
+    options.shell = !point.unit.empty();
+    const std::vector<PricedUnit> units = priced_units(options);
+    const PricedUnit& priced = point.unit == "axis" ? units.back() : units.front();
     std::vector<Source> sources = read_sources(rtl, priced.design);
     sources.push_back({"glint_harness.v", harness(priced.unit)});
     const Device& device = find_device(point.device);
@@ -188,6 +192,7 @@ std::vector<std::string> not_priced(const std::vector<Point>& points) {
     std::set<std::array<std::string, 4>> there;
     std::set<std::string> devices, priced_effects;
     for (const Point& p : points) {
+        if (!p.unit.empty()) return {};  // a file of shells is a sample
         if (p.effect.empty()) devices.insert(p.device);
         if (!p.effect.empty()) priced_effects.insert(p.effect);
         there.insert({p.lobe, p.profile, p.architecture, p.device});

@@ -26,6 +26,7 @@ Json to_json(const Point& point) {
     if (!point.lobe.empty()) out["lobe"] = point.lobe;
     out["profile"] = point.profile;
     if (!point.architecture.empty()) out["architecture"] = point.architecture;
+    if (!point.unit.empty()) out["unit"] = point.unit;
     out["device"] = point.device;
     out["dsp"] = point.dsp;
     out["luts"] = point.resources.luts;
@@ -63,8 +64,9 @@ using Identity = std::tuple<std::string, std::string, int, std::string, std::str
 Identity identity(const Json& point, PriceFile file) {
     const auto text = [&](const char* key) { return point.at(key).get<std::string>(); };
     const bool dsp = point.at("dsp").get<bool>();
-    if (file == PriceFile::lobes) {
-        return {text("lobe"), text("profile"), 0, text("architecture"), text("device"), dsp, ""};
+    if (file != PriceFile::effects) {
+        const std::string unit = file == PriceFile::shells ? text("unit") : "";
+        return {text("lobe"), text("profile"), 0, text("architecture"), text("device"), dsp, unit};
     }
     return {text("effect"),
             point.value("lobe", ""),
@@ -87,6 +89,7 @@ Json read_points(const std::filesystem::path& path, PriceFile file) {
 /// Columns of a table that names the units.
 std::vector<std::string> names_of(const Point& point, PriceFile file) {
     if (file == PriceFile::lobes) return {point.lobe, point.profile, point.architecture};
+    if (file == PriceFile::shells) return {point.lobe, point.profile, point.architecture, point.unit};
     return {point.effect, point.mask ? std::to_string(*point.mask) : "-", point.lobe.empty() ? "-" : point.lobe,
             point.architecture.empty() ? point.profile : fmt::format("{} {}", point.profile, point.architecture)};
 }
@@ -94,7 +97,9 @@ std::vector<std::string> names_of(const Point& point, PriceFile file) {
 }  // namespace
 
 std::string_view format_of(PriceFile file) {
-    return file == PriceFile::lobes ? "glint-cost-fpga-1" : "glint-cost-effects-1";
+    return file == PriceFile::lobes     ? "glint-cost-fpga-1"
+           : file == PriceFile::effects ? "glint-cost-effects-1"
+                                        : "glint-cost-shell-1";
 }
 
 double Point::clock_mhz() const {
@@ -143,7 +148,8 @@ std::string merged(const std::filesystem::path& path, PriceFile file, const Tool
 std::vector<Point> named_points(const std::filesystem::path& path) {
     const Json prices = Json::parse(io::read_file(path), nullptr, false);
     try {
-        const bool of_lobes = prices.at("format") == format_of(PriceFile::lobes);
+        const bool of_shells = prices.at("format") == format_of(PriceFile::shells);
+        const bool of_lobes = of_shells || prices.at("format") == format_of(PriceFile::lobes);
         if (!of_lobes && prices.at("format") != format_of(PriceFile::effects)) throw Error("another format");
         std::vector<Point> out;
         for (const Json& point : prices.at("points")) {
@@ -154,6 +160,7 @@ std::vector<Point> named_points(const std::filesystem::path& path) {
             named.profile = point.at("profile");
             named.architecture =
                 of_lobes ? point.at("architecture").get<std::string>() : point.value("architecture", "");
+            if (of_shells) named.unit = point.at("unit");
             named.device = point.at("device");
             named.dsp = point.at("dsp");
             named.hash = point.at("hash");
@@ -161,13 +168,16 @@ std::vector<Point> named_points(const std::filesystem::path& path) {
         }
         return out;
     } catch (const std::exception&) {
-        throw Error(fmt::format("file '{}' is not of the format {} or {}", path.string(), format_of(PriceFile::lobes),
-                                format_of(PriceFile::effects)));
+        throw Error(fmt::format("file '{}' is not of the format {}, {} or {}", path.string(),
+                                format_of(PriceFile::lobes), format_of(PriceFile::effects),
+                                format_of(PriceFile::shells)));
     }
 }
 
 std::string name_of(const Point& point) {
-    const PriceFile file = point.effect.empty() ? PriceFile::lobes : PriceFile::effects;
+    const PriceFile file = !point.effect.empty() ? PriceFile::effects
+                           : point.unit.empty()  ? PriceFile::lobes
+                                                 : PriceFile::shells;
     return fmt::format("{} {}{}", fmt::join(names_of(point, file), " "), point.device,
                        find_device(point.device).has_dsps && !point.dsp ? " no DSPs" : "");
 }
@@ -176,6 +186,8 @@ std::string points_table(const std::vector<Point>& points, PriceFile file) {
     std::vector<std::vector<std::string>> rows;
     if (file == PriceFile::lobes) {
         rows.push_back({"lobe", "profile", "architecture"});
+    } else if (file == PriceFile::shells) {
+        rows.push_back({"lobe", "profile", "architecture", "unit"});
     } else {
         rows.push_back({"effect", "mask", "lobe", "profile"});
     }

@@ -20,6 +20,7 @@ struct Point {
     std::string lobe;         ///< with its options; of an effect the one that it is made of, or empty
     std::string profile;
     std::string architecture;  ///< of an effect's unit empty where it is the default
+    std::string unit;          ///< of a file of shells: "core", or "axis": the AXI4-Stream unit around it
     std::string device;
     bool dsp = false;     ///< products may use DSPs
     Resources resources;  ///< of the unit: those of the harness are taken off
@@ -43,10 +44,10 @@ struct Point {
 /// By tool: the version.
 using ToolVersions = std::map<std::string, std::string>;
 
-/// What a file holds, or a table: points of lobes' units or of effects'.
-enum class PriceFile { lobes, effects };
+/// What a file holds, or a table: points of lobes' units, of effects', or of lobes' units without and with the shell.
+enum class PriceFile { lobes, effects, shells };
 
-/// "glint-cost-fpga-1", "glint-cost-effects-1"
+/// "glint-cost-fpga-1", "glint-cost-effects-1", "glint-cost-shell-1"
 std::string_view format_of(PriceFile file);
 
 /// The text of the file `path` with these points in it: those of the same unit and device are replaced, the others
@@ -56,7 +57,7 @@ std::string merged(const std::filesystem::path& path, PriceFile file, const Tool
                    const std::vector<Point>& points);
 
 /// What the points of a file are called, and their hashes; nothing else of a point is filled in. Throws Error: there is
-/// no such file, or it is of neither format.
+/// no such file, or it is of no such format.
 std::vector<Point> named_points(const std::filesystem::path& path);
 
 /// "bps p12 restoring hx8k", "shade 10 bps p12 xc7 no DSPs"

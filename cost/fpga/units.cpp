@@ -102,6 +102,54 @@ PricedUnit lobe_unit_of(const std::string& name, const GoldenModel& model, const
     return out;
 }
 
+/// The AXI4-Stream unit around the priced one, in a module with the ports of the latter: its tag is tlast, and tuser is
+/// a constant, so that one bit travels along in both.
+PricedUnit in_shell(PricedUnit core, const std::vector<GeneratedFile>& files) {
+    std::vector<GeneratedFile> all = with_axi_stream(files);
+    std::swap(all[0], all[1]);
+    Design design = design_of(all);
+    std::string parameters = core.unit.parameters;
+    const std::string tag = fmt::format(".TAG_W({})", tag_w);
+    parameters.replace(parameters.find(tag), tag.size(), ".USER_W(1)");
+    const int cos_w = data_ports(core.unit)[1].width;
+    const int y_w = result_ports(core.unit)[0].width;
+    design.generated.push_back(
+        {"glint_shell.v", fmt::format(R"(`default_nettype none
+module glint_shell #(
+    parameter TAG_W = 1
+) (
+    input  wire             clk_i,
+    input  wire             rst_ni,
+    input  wire             valid_i,
+    output wire             ready_o,
+    input  wire       [9:0] n_i,
+    input  wire     [{0}:0] cos_i,
+    input  wire [TAG_W-1:0] tag_i,
+    output wire             valid_o,
+    input  wire             ready_i,
+    output wire     [{1}:0] y_o,
+    output wire [TAG_W-1:0] tag_o,
+    output wire             clamped_o
+);
+    wire [31:0] word;
+    assign y_o       = word[{1}:0];
+    assign clamped_o = word[31];
+    {2} #({3}) axis (
+        .aclk(clk_i), .aresetn(rst_ni), .s_axis_tdata({{{4}'d0, cos_i, 22'd0, n_i}}), .s_axis_tuser(1'b0),
+        .s_axis_tlast(tag_i), .s_axis_tvalid(valid_i), .s_axis_tready(ready_o), .m_axis_tdata(word), .m_axis_tuser(),
+        .m_axis_tlast(tag_o), .m_axis_tvalid(valid_o), .m_axis_tready(ready_i)
+    );
+endmodule
+`default_nettype wire
+)",
+                                      cos_w - 1, y_w - 1, module_of(design), parameters, 32 - cos_w)});
+    core.design = std::move(design);
+    core.unit.module = "glint_shell";
+    core.unit.parameters = tag;
+    core.point.unit = "axis";
+    return core;
+}
+
 std::vector<PricedUnit> lobes_of(const Options& options, const std::string& lobes) {
     std::vector<PricedUnit> out;
     const std::vector<LobeChoice> choices = io::split_lobes(lobes);
@@ -115,7 +163,11 @@ std::vector<PricedUnit> lobes_of(const Options& options, const std::string& lobe
             for (const Architecture& architecture : architectures(lobe, options.architecture)) {
                 Architecture parameters = architecture;
                 if (architecture == default_architecture(lobe)) parameters.parameters.clear();  // the wrapper's own
-                out.push_back(lobe_unit_of(name, *model, parameters, design_of(lobe.emit(profile, architecture))));
+                const std::vector<GeneratedFile> files = lobe.emit(profile, architecture);
+                out.push_back(lobe_unit_of(name, *model, parameters, design_of(files)));
+                if (!options.shell) continue;
+                out.back().point.unit = "core";
+                out.push_back(in_shell(out.back(), files));
             }
         }
     }
@@ -251,6 +303,9 @@ std::vector<PricedUnit> effects_of(const Options& options) {
 }  // namespace
 
 std::vector<PricedUnit> priced_units(const Options& options) {
+    if (options.shell && (!options.effect.empty() || options.lobe.find(rival) != std::string::npos)) {
+        throw Error("--shell is not legal here: it is of the units of lobes");
+    }
     if (!options.effect.empty()) return effects_of(options);
     if (!options.mask.empty()) throw Error("--mask is not legal here: it is a parameter of the effect shade");
     std::string lobes;

@@ -86,6 +86,7 @@ class Refusals(Cost):
             self.equal(path.read_text(), text)
         text = '{"format": "glint-cost-fpga-1", "tools": {}, "points": []}'
         path.write_text(text)
+        self.refused("--shell is not legal here: it is of the units of lobes", "cost", "--fpga", "--shell", "--effect", "lambert", *RTL)
         self.refused("is not of the format glint-cost-effects-1", "cost", "--fpga", "--effect", "lambert", *RTL,
                      "--device", "xc7", "--json", "prices.json")
         self.equal(path.read_text(), text)
@@ -234,7 +235,7 @@ class Failures(Cost):
 
 class Committed(Cost):
     def test_all_are_of_this_verilog(self):
-        for file in ("fpga", "effects"):
+        for file in ("fpga", "effects", "shell"):
             path = ROOT / "cost/data" / f"{file}.json"
             count = len(json.loads(path.read_text())["points"])
             said = self.good("cost", "--check", "--json", path, *RTL)
@@ -287,6 +288,23 @@ class Committed(Cost):
             if price["dsp"] and price["lobe"] != "table" and not small:
                 self.true(price["dsps"] >= 1, f"no DSP: {price}")
         self.again(committed, points, names, SMALL)
+
+    def test_prices_of_the_shell(self):
+        """Two register slices: two clocks, and at least a register for each bit on the way in and out, twice."""
+        names = ("lobe", "profile", "architecture", "device", "dsp", "unit")
+        _, points = self.read_committed("shell", names)
+        bare = {name[:-1]: price for name, price in points.items() if name[-1] == "core"}
+        lobes = {tuple(p[name] for name in names[:-1]): p for p in json.loads((ROOT / "cost/data/fpga.json").read_text())["points"]}
+        self.equal(2 * len(bare), len(points))
+        for name, price in points.items():
+            self.equal(price["luts"] >= bare[name[:-1]]["luts"], True, name)
+            if name[-1] == "core":
+                self.equal(price["hash"], lobes[name[:-1]]["hash"], name)
+                continue
+            self.equal(price["latency"], bare[name[:-1]]["latency"] + 2, name)
+            self.equal(price["interval"], bare[name[:-1]]["interval"], name)
+            F, O = {"p8": (16, 8), "p12": (18, 12)}[price["profile"]]
+            self.true(price["registers"] - bare[name[:-1]]["registers"] >= 2 * (10 + F + 2 + 1 + O + 1 + 1 + 1), f"{name}")
 
     def test_prices_of_effects_are_those_of_the_verilog(self):
         names = ("effect", "mask", "lobe", "profile", "device", "dsp")

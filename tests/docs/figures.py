@@ -1,11 +1,12 @@
 #!/usr/bin/env python3
-"""The tables of figures in README and hls/README, between marks, come from the JSON that holds the figures.
+"""The tables of figures in README, hls/README and docs/cost.md, between marks, come from the JSON that holds the figures.
 
     figures.py --glint GLINT            fails where a table is not current
     figures.py --glint GLINT --write    writes them
 
 `<!-- lobes -->`: every lobe at p12, `<!-- profiles of bps -->`: what a sweep of all inputs finds, `<!-- prices -->`: the
-units that its rows name; `<!-- hls -->`: what Bambu made of every kernel, `<!-- forms -->`: of the forms of the divider. The last column of the lobes and the first of
+units that its rows name; `<!-- hls -->`: what Bambu made of every kernel, `<!-- forms -->`: of the forms of the divider;
+`<!-- shells -->`: units without and with the AXI4-Stream shell. The last column of the lobes and the first of
 the prices are kept: they are words.
 """
 
@@ -18,7 +19,7 @@ import tempfile
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
-MARKED = re.compile(r"(<!-- (lobes|profiles of bps|prices|hls|forms) -->\n)(.*?)(<!-- end -->\n)", re.DOTALL)
+MARKED = re.compile(r"(<!-- (lobes|profiles of bps|prices|hls|forms|shells) -->\n)(.*?)(<!-- end -->\n)", re.DOTALL)
 
 
 def data(name):
@@ -131,13 +132,28 @@ def forms(_):
             ["---", "---", "---", "--:", "--:", "--:", "--:", "--:", "--:"], *rows]
 
 
+def shells(_):
+    """What glint_axis adds to a unit, on each device of shell.json."""
+    points = {(p["lobe"], p["profile"], p["architecture"], p["device"], p["dsp"], p["unit"]): p for p in data("shell.json")}
+    rows = []
+    for (*name, unit), shelled in points.items():
+        if unit != "axis":
+            continue
+        bare = points[(*name, "core")]
+        lobe, profile, architecture, device, dsp = name
+        rows.append([f"`{lobe}` {profile}, {architecture}, {device}{', DSPs' if dsp else ''}",
+                     *(f"{bare[key]}, {shelled[key]}" for key in ("luts", "registers", "latency")),
+                     f"{bare['clock_mhz']:.0f}, {shelled['clock_mhz']:.0f}"])
+    return [["unit", "LUTs: without, with", "registers", "clocks", "MHz"], ["---", "--:", "--:", "--:", "--:"], *rows]
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--glint", required=True)
     parser.add_argument("--write", action="store_true")
     options = parser.parse_args()
     documents = {"README.md": {"lobes": lobes, "profiles of bps": lambda _: profiles(options.glint), "prices": prices},
-                 "hls/README.md": {"hls": hls, "forms": forms}}
+                 "hls/README.md": {"hls": hls, "forms": forms}, "docs/cost.md": {"shells": shells}}
     for name, makers in documents.items():
         text = (ROOT / name).read_text()
         made = MARKED.sub(lambda m: m[1] + table(makers[m[2]](m[3])) + m[4], text)
