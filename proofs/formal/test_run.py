@@ -12,12 +12,13 @@ import tempfile
 import unittest
 
 import run
+import tasks
 
 SCRIPT = pathlib.Path(run.__file__)
 
 
 def named(name):
-    return next(task for task in run.tasks() if task.name == name)
+    return next(task for task in tasks.tasks() if task.name == name)
 
 
 def failures(task, **changes):
@@ -53,15 +54,15 @@ class Runner(unittest.TestCase):
         self.assertIn("no property", failures(self.bug, given="no_such_property")[0])
 
     def test_every_effect_is_proven(self):
-        names = {task.name for task in run.tasks() if task.method == "induction"}
-        self.assertIn("lambert", run.EFFECTS)
-        for effect in run.EFFECTS:
+        names = {task.name for task in tasks.tasks() if task.method == "induction"}
+        self.assertIn("lambert", tasks.EFFECTS)
+        for effect in tasks.EFFECTS:
             self.assertTrue({f"effect.{effect}.{task}" for task in ("p12", "p8", "order")} & set(names), effect)
 
     def test_given_is_proven_before(self):
         """What a step of shade may assume, an earlier step proves."""
         with tempfile.TemporaryDirectory() as temporary:
-            steps = [task for task in run.tasks() if task.top == "glint_effect_shade" and task.method == "induction"]
+            steps = [task for task in tasks.tasks() if task.top == "glint_effect_shade" and task.method == "induction"]
             self.assertEqual([bool(task.given) for task in steps], [False] + [True] * (len(steps) - 1))
             run.prepare(dataclasses.replace(steps[0], only="", given=""), pathlib.Path(temporary))
             proven = set()
