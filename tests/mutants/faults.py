@@ -140,7 +140,7 @@ def chosen(faults, share):
     return out
 
 
-WORD = re.compile(r"(\d+)'d(\d+): entry_o <= (\d+)'h([0-9a-f]+);")
+WORD = re.compile(r"(\d+)'d(\d+): entry_[oq] <= (\d+)'h([0-9a-f]+);")
 
 
 def table_faults(file, share):
@@ -166,14 +166,19 @@ def with_flips(file, faults):
     width = faults[0]["flip"][2]
     flips = " : ".join(f"mutant == 16'd{f['number']} && address_i == {f['flip'][0]}'d{f['flip'][1]} ? {width}'d1 << {f['flip'][3]}"
                        for f in faults)
-    text = re.sub(r"output reg +(\[.*?\]) entry_o", r"output wire \1 entry_o", text).replace("entry_o <=", "entry_q <=")
     more = f"""
-    reg [{width - 1}:0] entry_q, flip_q;
+    reg [{width - 1}:0] read_q, flip_q;
     wire [15:0] mutant;
     glint_mutant select (.mutant_o(mutant));
     always @(posedge clk_i) if (enable_i) flip_q <= {flips} : {width}'d0;
-    assign entry_o = entry_q ^ flip_q;
 """
+    entry = re.search(r"(\w+) <= \d+'h", text)[1]  # entry_o, or entry_q where more follows the memory
+    text = text.replace(f"{entry} <=", "read_q <=")
+    if entry == "entry_o":
+        text = re.sub(r"output reg +(\[.*?\]) entry_o", r"output wire \1 entry_o", text)
+        more += "    assign entry_o = read_q ^ flip_q;\n"
+    else:
+        text = re.sub(r"    reg (\[.*?\]) entry_q;", r"    wire \1 entry_q = read_q ^ flip_q;", text)
     return text.replace(");\n\n", ");\n" + more, 1)
 
 
