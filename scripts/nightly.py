@@ -7,6 +7,7 @@ written out.
 
 import json
 import re
+import sys
 from pathlib import Path
 
 
@@ -22,7 +23,10 @@ def main():
     file = Path(__file__).resolve().parents[1] / "tests/nightly.json"
     patterns = [pattern for part in json.loads(file.read_text())["tests"]
                 for pattern in re.split(r"\|(?![^()]*\))", part["tests"])]  # at each | that stands in no parentheses
-    print("|".join(f"^{name}" for pattern in patterns for name in written_out(pattern)))
+    expression = "|".join(f"^{name}" for pattern in patterns for name in written_out(pattern))
+    if "(" in expression:
+        sys.exit(f"{file}: a pattern has parentheses that can't be written out")
+    print(expression)
 
 
 if __name__ == "__main__":

@@ -4,7 +4,9 @@
 In the folder of Bambu's run, where <TOP>.v and HLS_output are. VECTORS is the file of `glint vectors --format tv`, with
 its manifest beside it. Held together: the C test bench at the RTL (HLS_output/simulation/testbench.log: as many vectors
 as the file has, no mismatch), and a bench of this script in Icarus that feeds one input a clock and compares every
-result, since Bambu's bench waits for one result before it gives the next input. Area is that of Yosys for ECP5.
+result, since Bambu's bench waits for one result before it gives the next input. Area is that of Yosys for ECP5. Where nextpnr-ecp5 is found (or the
+program that NEXTPNR names): the clock after route with seed 1, every port between registers, on the smallest device that
+has the multipliers; `-` otherwise.
 
     top=glint_bps_p12 vectors=10000 mismatches=0 cycles=16 interval=1 fed=10000 fed_mismatches=0 early=- lut4=705 ...
 

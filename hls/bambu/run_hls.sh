@@ -35,6 +35,13 @@ if [ ! -r "$vectors" ]; then
     exit 2
 fi
 vectors=$(realpath "$vectors")
+case ${GLINT_DIVIDE:-RESTORING} in
+    RESTORING | ADDING | RADIX4 | RECIPROCAL) ;;
+    *)
+        echo "run_hls.sh: GLINT_DIVIDE '$GLINT_DIVIDE' is not legal: ADDING, RADIX4 or RECIPROCAL" >&2
+        exit 2
+        ;;
+esac
 divide=-DGLINT_DIVIDE_${GLINT_DIVIDE:-RESTORING}
 mkdir -p "$top"
 cd "$top"

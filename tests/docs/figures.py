@@ -6,7 +6,7 @@
 
 `<!-- lobes -->`: every lobe at p12, `<!-- profiles of bps -->`: what a sweep of all inputs finds, `<!-- prices -->`: the
 units that its rows name; `<!-- hls -->`: what Bambu made of every kernel, `<!-- forms -->`: of the forms of the divider;
-`<!-- shells -->`: units without and with the AXI4-Stream shell. The last column of the lobes and the first of
+`<!-- shells -->`: units without and with the AXI4-Stream shell; `<!-- faults -->`: the record of planted faults. The last column of the lobes and the first of
 the prices are kept: they are words.
 """
 
@@ -19,7 +19,7 @@ import tempfile
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
-MARKED = re.compile(r"(<!-- (lobes|profiles of bps|prices|hls|forms|shells) -->\n)(.*?)(<!-- end -->\n)", re.DOTALL)
+MARKED = re.compile(r"(<!-- (lobes|profiles of bps|prices|hls|forms|shells|faults) -->\n)(.*?)(<!-- end -->\n)", re.DOTALL)
 
 
 def data(name):
@@ -147,13 +147,29 @@ def shells(_):
     return [["unit", "LUTs: without, with", "registers", "clocks", "MHz"], ["---", "--:", "--:", "--:", "--:"], *rows]
 
 
+def faults(_):
+    kinds = {"data": "data: the bits of numbers", "control": "control: valid, ready, enables, choices", "reset": "reset",
+             "table": "words of tables", "parameter": "parameters of instances"}
+    record = [json.loads(line) for line in (ROOT / "tests/mutants/faults.jsonl").read_text().splitlines()]
+
+    def counts(some):
+        equivalent = sum(bool(fault.get("equivalent")) for fault in some)
+        found = sum(bool(fault["killed_by"]) for fault in some)
+        return [str(found), str(equivalent), str(len(some) - found - equivalent)]
+
+    rows = [[meaning, *counts([fault for fault in record if fault["kind"] == kind])] for kind, meaning in kinds.items()]
+    return [["kind", "found", "equivalent", "open"], ["---", "--:", "--:", "--:"], *rows,
+            [f"all {len(record)}", *counts(record)]]
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--glint", required=True)
     parser.add_argument("--write", action="store_true")
     options = parser.parse_args()
     documents = {"README.md": {"lobes": lobes, "profiles of bps": lambda _: profiles(options.glint), "prices": prices},
-                 "hls/README.md": {"hls": hls, "forms": forms}, "docs/cost.md": {"shells": shells}}
+                 "hls/README.md": {"hls": hls, "forms": forms}, "docs/cost.md": {"shells": shells},
+                 "docs/evidence.md": {"faults": faults}}
     for name, makers in documents.items():
         text = (ROOT / name).read_text()
         made = MARKED.sub(lambda m: m[1] + table(makers[m[2]](m[3])) + m[4], text)
