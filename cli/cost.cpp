@@ -156,8 +156,9 @@ void add_cost(CLI::App& app, Chosen& chosen) {
         io::add_integer(*command, "--most", grid.most, 1, 1000, "--grid: formats to synthesize"),
         command
             ->add_option("--max-error", grid.max_error,
-                         "--grid: the cheapest formats of decay with an error against c^n below it, 1e-5 to 0.5")
-            ->check(CLI::Range(1e-5, 0.5)),
+                         "--grid: the cheapest formats of decay for an error against c^n")
+            ->check(CLI::Range(1e-5, 0.5))
+            ->option_text("FLOAT"),
     };
     command->add_option("--rtl", on_fpga.rtl, "Folder of the Verilog")->capture_default_str();
     command->add_option("--cache", on_fpga.cache, "Folder that keeps what was synthesized")->capture_default_str();
