@@ -40,7 +40,7 @@ simulate() {
 
 # report LOG: what of the device is used, and the clocks after routing; the whole log where nextpnr ends with an error.
 report() {
-    sed -n 's/^Info: *\(\(TRELLIS_COMB\|TRELLIS_FF\|MULT18X18D\|DP16KD\|ICESTORM_LC\|ICESTORM_DSP\|ICESTORM_RAM\): .*\)/\1/p' "$1" | sort -u
+    sed -En 's/^Info:\s+((TRELLIS_(COMB|FF)|MULT18X18D|DP16KD|ICESTORM_(LC|DSP|RAM)): .*)/\1/p' "$1" | sort -u
     tac "$1" | sed -n "s/^Info: \(Max frequency for clock\) *'\([^']*\)'/\1 \2/p" | sort -u -k5,5
 }
 
