@@ -275,7 +275,7 @@ std::vector<GeneratedFile> emit_pixel(const Profile& profile, std::string_view l
     file.text.replace(file.text.find(tag), tag.size(), fmt::format("    parameter TAG_W = 16{}\n", choices));
     file.unit->numbers = {
         {"W", std::to_string(W)}, {"F", std::to_string(F)}, {"O", std::to_string(O)}, {"WIDE", std::to_string(wide)}};
-    const int latency = block::frame(F).clocks + block::frame(F).products + inner.architectures[0].latency;
+    const int latency = block::frame(F).clocks + inner.architectures[0].latency;
     return made_of(std::move(file), std::move(parts), {"default", {}, latency, 1});
 }
 
