@@ -101,7 +101,8 @@ int run_cost(Options options, const std::string& command) {
         return run_effect_table({options.table.data, options.effect, options.mask, options.lobe, options.profile,
                                  options.device, options.json});
     }
-    if (!options.mask.empty()) throw Error("--mask is not legal without --effect: it is of the effect shade");
+    if (!options.mask.empty())
+        throw Error("--mask is not legal without --effect: it is of the effects shade and pixel");
     TableOptions& table = options.table;
     set(table.device, options.device);
     table.lobe = options.lobe;
@@ -122,7 +123,8 @@ void add_cost(CLI::App& app, Chosen& chosen) {
     o->units = {
         command->add_option("--lobe", o->lobe, "Lobes, or all; with --fpga also table: a rival, c^n in block RAM"),
         command->add_option("--effect", o->effect, "Effects instead of lobes, or all (made of --lobe; default bps)"),
-        command->add_option("--mask", o->mask, "Of the effect shade: values of MASK; default: a list (docs/cost.md)"),
+        command->add_option("--mask", o->mask,
+                            "Of the effects shade and pixel: values of MASK; default: a list (docs/cost.md)"),
         command->add_option("--profile", o->profile, "Profiles: p8, p12, p16 or the lobe's F,..,O"),
         command->add_option("--device", o->device, "hx8k (default), up5k, ecp5-25k, ecp5-85k, xc7; table: all"),
     };

@@ -64,7 +64,7 @@ class Refusals(Cost):
             ("--mask '256' is not legal: 0 to 255", ["--fpga", "--effect", "shade", "--mask", "1,256"]),
             ("--mask 'all' is not legal: 0 to 255", ["--fpga", "--effect", "shade", "--mask", "all"]),
             ("--mask '3,3' is not legal: each mask once", ["--fpga", "--effect", "shade", "--mask", "3,3"]),
-            ("--mask is not legal here: it is a parameter of the effect shade", ["--fpga", "--mask", "3"]),
+            ("--mask is not legal here: it is a parameter of the effects shade and pixel", ["--fpga", "--mask", "3"]),
             ("--mask is not legal here: it is a parameter", ["--fpga", "--effect", "lambert", "--mask", "3"]),
             ("architecture 'pipelined' is not legal for glint_effect_lambert_p12: default\[:FAMILY\]",
              ["--fpga", "--effect", "lambert", "--architecture", "pipelined"]),
