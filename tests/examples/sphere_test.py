@@ -58,7 +58,7 @@ class Pictures(Case):
 
     def test_faults_are_found(self):
         # The turn, which starts with the second picture; the balance of DVI; one material of four.
-        for file, text, fault, pictures in (("sphere_turn.v", "x_q - (y_next", "x_q - (y_q", 3),
+        for file, text, fault, pictures in (("sphere_turn.v", "y_q + (x_q", "y_q - (x_q", 3),
                                             ("ulx3s/sphere_tmds.v", "wire              flip = even", "wire flip = 1'b1 | even", 1),
                                             ("sphere_material.v", "{4'd0, digit[3]}", "{4'd0, &digit}", 3)):
             path = self.tree / "examples/sphere" / file
