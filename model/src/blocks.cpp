@@ -58,6 +58,7 @@ const std::vector<Module>& modules() {
         {"glint_effect_highlight", {"glint_dot"}},
         {"glint_effect_shade",
          {"glint_delay", "glint_fifo", "glint_stream", "glint_shade_part", "glint_effect_ambient"}},
+        {"glint_effect_lobe_select", {"glint_fifo", "glint_stream"}},
     };
     return all;
 }

@@ -135,9 +135,10 @@ def tasks():
                     *planted(f"axis.{lobe}", wrapper, "axis", axis, 24, "glint_axis", bugs.AXIS),
                     *planted(f"axis.{lobe}", wrapper, "axis", axis, 24, wrapper, bugs.WRAPPER)]
     out += of_shade()
+    out += of_lobe_select()
     for effect in EFFECTS:
         out += of_axis(effect)
-    for effect in (e for e in EFFECTS if e != "shade"):
+    for effect in (e for e in EFFECTS if e not in ("shade", "lobe_select")):
         out += of_effect(effect)
     return out
 
@@ -174,6 +175,15 @@ def of_shade():
     for module, table in bugs.SHADE.items():
         out += planted(name, top, kind, small, 20, module, table)
     return out
+
+
+def of_lobe_select():
+    """The tasks of the effect lobe_select, with any units of the latencies that it was told."""
+    name, top, kind = "effect.lobe_select", "glint_effect_lobe_select", "lobe_select"
+    small = {"O": 2, "N": 3, "MASK": 5, "CLOCKS": 4 << 16 | 9 << 8 | 2, "LOG_DEPTH": 2, "TAG_W": 2}  # the second is not built
+    return [Task(f"{name}.order", HANDSHAKE + "; each result is that of its lobe", top, kind, small, "induction", 2),
+            Task(f"{name}.cover", "not vacuous", top, kind, small, "cover", 24),
+            *planted(name, top, kind, small, 24, top, bugs.LOBE_SELECT)]
 
 
 def of_effect(effect):

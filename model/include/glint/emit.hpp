@@ -29,6 +29,10 @@ Sidebands parse_sidebands(std::string_view list);
 /// What Lobe::emit or Effect::emit gave, and behind its unit, the first file, the AXI4-Stream unit around it.
 std::vector<GeneratedFile> with_axi_stream(std::vector<GeneratedFile> files, const Sidebands& sidebands = {});
 
+/// What with_axi_stream gave, and behind that unit one of so many of it side by side, 2 to 64 (docs/rtl.md, "Lanes").
+/// Throws Error.
+std::vector<GeneratedFile> with_lanes(std::vector<GeneratedFile> files, int lanes);
+
 /// The Verilog that is committed in rtl/generated: the units of all lobes and effects at the shipped profiles, effects
 /// made of a lobe with the first one, AXI4-Stream units at p12; and what they are made of. Each file once.
 std::vector<GeneratedFile> committed_verilog();
