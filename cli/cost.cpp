@@ -25,7 +25,8 @@ struct Options {
     TableOptions table;
     fpga::Options on_fpga;
     GridOptions word_lengths;
-    std::vector<CLI::Option*> units, of_table, of_fpga, of_grid;  ///< of_table: the last is --data
+    std::vector<CLI::Option*> units, of_table, of_fpga, of_grid;  ///< of_table: the last is --data; of_grid: --F, --O
+    CLI::Option* dsp = nullptr;
 };
 
 /// Options of another part are not passed over in silence.
@@ -45,6 +46,7 @@ int run_cost(Options options, const std::string& command) {
     }
     refuse(options.of_fpga, options.fpga, "with --fpga");
     refuse(options.of_grid, options.grid, "with --grid");
+    refuse({options.dsp}, options.fpga || options.grid, "with --fpga or --grid");
     refuse(options.of_table, !options.fpga && !options.check && !options.accuracy && !options.grid, "of the table");
     if (options.check) {
         refuse(options.units, false, "of what is measured or shown, and --check takes a whole file");
@@ -80,6 +82,13 @@ int run_cost(Options options, const std::string& command) {
         GridOptions& grid = options.word_lengths;
         set(grid.lobe, options.lobe);
         set(grid.device, options.device);
+        const bool for_error = grid.max_error > 0.0;
+        refuse({options.of_grid[1]}, !for_error, "chosen by the search with --max-error");
+        if (for_error && options.lobe.empty()) grid.lobe = "decay";
+        if (for_error && options.of_grid[0]->count() == 0) grid.F = 0;
+        grid.dsp = options.dsp->count() > 0 && options.on_fpga.dsp == "on";
+        if (options.on_fpga.dsp != "on" && options.on_fpga.dsp != "off")
+            throw Error(fmt::format("--dsp '{}' is not legal with --grid: on or off", options.on_fpga.dsp));
         grid.rtl = options.on_fpga.rtl;
         grid.cache = options.on_fpga.cache;
         grid.json = options.json;
@@ -92,7 +101,8 @@ int run_cost(Options options, const std::string& command) {
         return run_effect_table({options.table.data, options.effect, options.mask, options.lobe, options.profile,
                                  options.device, options.json});
     }
-    if (!options.mask.empty()) throw Error("--mask is not legal without --effect: it is of the effect shade");
+    if (!options.mask.empty())
+        throw Error("--mask is not legal without --effect: it is of the effects shade and pixel");
     TableOptions& table = options.table;
     set(table.device, options.device);
     table.lobe = options.lobe;
@@ -113,7 +123,8 @@ void add_cost(CLI::App& app, Chosen& chosen) {
     o->units = {
         command->add_option("--lobe", o->lobe, "Lobes, or all; with --fpga also table: a rival, c^n in block RAM"),
         command->add_option("--effect", o->effect, "Effects instead of lobes, or all (made of --lobe; default bps)"),
-        command->add_option("--mask", o->mask, "Of the effect shade: values of MASK; default: a list (docs/cost.md)"),
+        command->add_option("--mask", o->mask,
+                            "Of the effects shade and pixel: values of MASK; default: a list (docs/cost.md)"),
         command->add_option("--profile", o->profile, "Profiles: p8, p12, p16 or the lobe's F,..,O"),
         command->add_option("--device", o->device, "hx8k (default), up5k, ecp5-25k, ecp5-85k, xc7; table: all"),
     };
@@ -135,15 +146,21 @@ void add_cost(CLI::App& app, Chosen& chosen) {
         command->add_option("--architecture", on_fpga.architecture,
                             "--fpga: architectures (docs/rtl.md), or all; else each lobe's default"),
         command->add_flag("--shell", on_fpga.shell, "--fpga: each unit, and its AXI4-Stream unit beside it"),
-        command->add_option("--dsp", on_fpga.dsp, "--fpga: on, off or both")->capture_default_str(),
         command->add_option("--seeds", on_fpga.seeds, "--fpga: of place and route; the clock is the median")
             ->capture_default_str(),
     };
+    o->dsp =
+        command->add_option("--dsp", on_fpga.dsp, "--fpga: on (default), off or both; --grid: off (default) or on");
     GridOptions& grid = o->word_lengths;
     o->of_grid = {
         io::add_integer(*command, "--F", grid.F, 8, 30, "--grid: fraction bits of the cosine"),
         io::add_integer(*command, "--O", grid.O, 4, 28, "--grid: fraction bits of the output"),
         io::add_integer(*command, "--most", grid.most, 1, 1000, "--grid: formats to synthesize"),
+        command
+            ->add_option("--max-error", grid.max_error,
+                         "--grid: the cheapest formats of decay for an error against c^n")
+            ->check(CLI::Range(1e-5, 0.5))
+            ->option_text("FLOAT"),
     };
     command->add_option("--rtl", on_fpga.rtl, "Folder of the Verilog")->capture_default_str();
     command->add_option("--cache", on_fpga.cache, "Folder that keeps what was synthesized")->capture_default_str();

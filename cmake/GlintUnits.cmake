@@ -240,8 +240,8 @@ function(glint_architecture out alike text default)
 endfunction()
 
 # glint_effect_units(out prefix rtl effects lobes profiles masks): the units of effects. Those that are made of a lobe
-# are there for the first of `lobes`; for the others only blinn_phong at p12, which pictures use. Of shade there is a
-# unit for each of the masks, too. A last argument `axis`: the AXI4-Stream units of these.
+# are there for the first of `lobes`; for the others only blinn_phong at p12, which pictures use. Of shade and
+# pixel there is a unit for each of the masks, too; pixel is there at p12 alone. A last argument `axis`: the AXI4-Stream units of these.
 function(glint_effect_units out prefix rtl effects lobes profiles masks)
   set(targets "")
   set(unit core)
@@ -263,6 +263,9 @@ function(glint_effect_units out prefix rtl effects lobes profiles masks)
     endif()
     foreach(lobe IN LISTS effect_lobes)
       foreach(profile IN LISTS profiles)
+        if(effect STREQUAL pixel AND (infix OR NOT profile STREQUAL p12))
+          continue()  # what it has around shade is the same at every profile, and it is the largest unit
+        endif()
         string(REPLACE "," "_" name ${profile})
         set(of ${lobe})
         set(of_lobe --lobe ${lobe})
@@ -289,7 +292,7 @@ function(glint_effect_units out prefix rtl effects lobes profiles masks)
           endif()
         endif()
         set(built -1)
-        if(effect STREQUAL shade)
+        if(effect MATCHES "^(shade|pixel)$")
           list(APPEND built ${masks})
         endif()
         foreach(mask IN LISTS built)

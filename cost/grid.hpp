@@ -1,5 +1,5 @@
 // `glint cost --grid`: the word lengths of a lobe that keep the rounding error below the lobe's bound, and what they
-// cost.
+// cost; or, of a lobe of tables, the cheapest for an error against c^n.
 #pragma once
 
 #include <string>
@@ -9,6 +9,8 @@ namespace glint::cost {
 struct GridOptions {
     std::string lobe = "bps";
     int F = 18, O = 12;
+    double max_error = 0.0;  ///< against c^n at every n; above 0: O is not used, and F = 0 stands for 16, 17 and 18
+    bool dsp = false;        ///< products may be DSPs
     std::string device = "hx8k";
     std::string rtl = "rtl";
     std::string cache = "build/cost-cache";

@@ -234,6 +234,9 @@ std::vector<Exchange> effect_burst(const Effect& effect, const EffectModel& mode
     return out;
 }
 
+/// Whether its unit has the parameter MASK.
+bool masked(const Effect& effect) { return effect.name == "shade" || effect.name == "pixel"; }
+
 std::vector<Port> ports(std::span<const EffectPort> of_model, std::string_view suffix) {
     std::vector<Port> out;
     for (const EffectPort& port : of_model) out.push_back({fmt::format("{}_{}", port.name, suffix), port.bits});
@@ -272,8 +275,8 @@ std::vector<const Effect*> effects_of(const std::string& text) {
 std::vector<PricedUnit> effects_of(const Options& options) {
     const std::vector<const Effect*> effects = effects_of(options.effect);
     if (!options.mask.empty() &&
-        std::none_of(effects.begin(), effects.end(), [](const Effect* effect) { return effect->name == "shade"; })) {
-        throw Error("--mask is not legal here: it is a parameter of the effect shade");
+        std::none_of(effects.begin(), effects.end(), [](const Effect* effect) { return masked(*effect); })) {
+        throw Error("--mask is not legal here: it is a parameter of the effects shade and pixel");
     }
     const std::vector<int> chosen = masks(options.mask);
     std::vector<PricedUnit> out;
@@ -287,7 +290,7 @@ std::vector<PricedUnit> effects_of(const Options& options) {
                 const Architecture architecture = parse_architecture(*files.front().unit, name);
                 use_family(*files.front().unit, architecture.family);
                 const Design design = design_of(files);
-                if (effect->name != "shade") {
+                if (!masked(*effect)) {
                     out.push_back(effect_unit(*effect, *model, design, options.lobe, architecture, std::nullopt));
                     continue;
                 }
@@ -307,7 +310,8 @@ std::vector<PricedUnit> priced_units(const Options& options) {
         throw Error("--shell is not legal here: it is of the units of lobes");
     }
     if (!options.effect.empty()) return effects_of(options);
-    if (!options.mask.empty()) throw Error("--mask is not legal here: it is a parameter of the effect shade");
+    if (!options.mask.empty())
+        throw Error("--mask is not legal here: it is a parameter of the effects shade and pixel");
     std::string lobes;
     bool with_rival = false;
     for (const std::string& name : io::split_list(options.lobe)) {

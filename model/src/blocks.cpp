@@ -37,6 +37,9 @@ const std::vector<Module>& modules() {
         {"glint_dot_product", {"glint_signed_multiplier"}},
         {"glint_nearest", {"glint_divider"}},
         {"glint_cosine", {"glint_delay", "glint_multiplier", "glint_dot_product", "glint_sqrt", "glint_nearest"}},
+        {"glint_wait", {"glint_delay"}},
+        {"glint_frame",
+         {"glint_delay", "glint_wait", "glint_dot_product", "glint_multiplier", "glint_sqrt", "glint_cosine"}},
         {"glint_ports", {"glint_delay"}},
         {"glint_stream", {"glint_delay"}},
         {"glint_axis", {"glint_skid"}},
@@ -58,6 +61,7 @@ const std::vector<Module>& modules() {
         {"glint_effect_highlight", {"glint_dot"}},
         {"glint_effect_shade",
          {"glint_delay", "glint_fifo", "glint_stream", "glint_shade_part", "glint_effect_ambient"}},
+        {"glint_effect_pixel", {"glint_stream", "glint_wait", "glint_frame"}},
         {"glint_effect_lobe_select", {"glint_fifo", "glint_stream"}},
     };
     return all;

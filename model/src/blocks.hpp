@@ -58,6 +58,8 @@ inline Block sqrt(int root_bits) { return {"glint_sqrt", root_bits}; }
 inline Block cosine(int F) {
     return (product() + step(2) + product() + step(6) + sqrt(F + 2) + step(F + 2)).named("glint_cosine");
 }
+/// H, then its cosines; the plain dot products are shorter.
+inline Block frame(int F) { return (step() + cosine(F)).named("glint_frame"); }
 inline Block attenuation() { return (log2() + step(2)).named("glint_attenuation"); }
 inline Block normalise(int shift_bits) { return {"glint_normalise", 2, 0, 0, shift_bits - 2}; }
 /// Registers that the architecture "deep" alone has.

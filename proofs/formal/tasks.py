@@ -138,7 +138,7 @@ def tasks():
     out += of_lobe_select()
     for effect in EFFECTS:
         out += of_axis(effect)
-    for effect in (e for e in EFFECTS if e not in ("shade", "lobe_select")):
+    for effect in (e for e in EFFECTS if e not in ("shade", "lobe_select", "pixel")):  # pixel is two of them in a row
         out += of_effect(effect)
     return out
 

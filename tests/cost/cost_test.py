@@ -64,7 +64,7 @@ class Refusals(Cost):
             ("--mask '256' is not legal: 0 to 255", ["--fpga", "--effect", "shade", "--mask", "1,256"]),
             ("--mask 'all' is not legal: 0 to 255", ["--fpga", "--effect", "shade", "--mask", "all"]),
             ("--mask '3,3' is not legal: each mask once", ["--fpga", "--effect", "shade", "--mask", "3,3"]),
-            ("--mask is not legal here: it is a parameter of the effect shade", ["--fpga", "--mask", "3"]),
+            ("--mask is not legal here: it is a parameter of the effects shade and pixel", ["--fpga", "--mask", "3"]),
             ("--mask is not legal here: it is a parameter", ["--fpga", "--effect", "lambert", "--mask", "3"]),
             ("architecture 'pipelined' is not legal for glint_effect_lambert_p12: default\[:FAMILY\]",
              ["--fpga", "--effect", "lambert", "--architecture", "pipelined"]),
@@ -171,6 +171,31 @@ class Grid(Cost):
                     self.true(self.rounding("quadratic", ",".join(map(str, fewer))) >= 1, f"{fewer}")
         self.equal([grid["lobe"] for grid in self.grid("--lobe", "cosine_power")], ["quadratic", "cosine_power"])
         self.equal(self.grid("--lobe", "quadratic")[0], found)
+
+    def test_error(self):
+        """Formats for an error against c^n keep it over all inputs, by proof; none is better than another in all."""
+        found, = self.grid_for_error("--max-error", 0.04)
+        self.equal((found["lobe"], found["F"], found["max_error"], found["dsp"]), ("decay", 10, 0.04, False))
+        formats = found["formats"]
+        self.true(0 < len(formats) <= 2 and found["tried"] > found["measured"] > 3, f"{found}")
+        for form, other in zip(formats, formats[1:]):
+            self.true(form["luts"] < other["luts"] and form["brams"] > other["brams"], f"{formats}")
+        for form in formats:
+            self.true(form["error"] <= form["bound"] < 0.04, f"{form}")
+            self.run_tool("sweep", "--lobe", "decay", "--profile", form["profile"], "--json", "sweep.json")
+            run, = json.loads(self.read("sweep.json"))["runs"]
+            self.equal(run["exhaustive"], True)
+            self.near(run["accuracy"]["total"]["approximation"]["max"], form["error"], 2.0 ** -12)
+        self.equal(self.grid_for_error("--max-error", 0.04), [found])
+        done = self.run_tool("cost", "--grid", "--max-error", 0.00002, "--F", 10, *RTL, "--cache", "cache")
+        self.equal((done.returncode, done.stdout), (1, "decay: no format tried keeps the error below 2e-05\n"))
+        self.refused("--max-error is not legal for the lobe 'bps'", "cost", "--grid", "--lobe", "bps", "--max-error", 0.1)
+        self.refused("--O is not legal here", "cost", "--grid", "--max-error", 0.1, "--O", 8)
+        self.refused("--dsp 'both' is not legal with --grid", "cost", "--grid", "--max-error", 0.1, "--dsp", "both")
+
+    def grid_for_error(self, *arguments):
+        self.good("cost", "--grid", "--F", 10, "--most", 2, *RTL, "--cache", "cache", "--json", "error.json", *arguments)
+        return json.loads(self.read("error.json"))["grids"]
 
 
 class Cache(Cost):

@@ -95,7 +95,7 @@ class Subject:
         if total <= 200000:
             yield from product(*corners)
         else:
-            for _ in range(200000):
+            for _ in range(getattr(self.effect, "corners", 200000)):
                 yield tuple(generator.choice(codes) for codes in corners)
         yield from self.effect.inputs()
         for _ in range(count):

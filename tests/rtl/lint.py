@@ -57,6 +57,9 @@ MODULES = {
     "glint_dot_product": ("WIDTH MULTIPLIER_STAGES", ((8, 1), (18, 3))),
     "glint_nearest": ("ROOT_W Q_W", ((9, 8), (22, 21), (31, 30))),
     "glint_cosine": ("W F MULTIPLIER_STAGES", ((8, 7, 1), (8, 29, 2), (9, 18, 1), (18, 17, 4), (17, 29, 1))),
+    "glint_wait": ("WIDTH CLOCKS", ((1, 0), (3, 7), (17, 8), (64, 64), (5, 65))),
+    "glint_frame": ("W F WITH_R WITH_H WITH_V WITH_T MULTIPLIER_STAGES",
+                    ((16, 18, 0, 0, 0, 0, 1), (16, 16, 1, 0, 0, 0, 2), (16, 29, 0, 1, 0, 0, 1), (8, 8, 1, 1, 1, 0, 3), (17, 20, 0, 1, 0, 1, 4))),
     "glint_effect_cosine": ("W F MULTIPLIER_STAGES TAG_W", ((8, 8, 1, 1), (18, 20, 3, 64))),
     "glint_dot": ("F", ((8,), (18,), (30,))),
     "glint_colour": ("O", ((4,), (12,), (28,))),
@@ -125,7 +128,7 @@ def lint_damaged(tool, unit, folder):
     """One port of the core too narrow: all three tools know that."""
     *parts, wrapper = unit["files"]
     damaged = Path(folder) / wrapper.name
-    text, found = re.subn(r"\((?:y_o|r_o|c_o|m_axis_tdata)\)", lambda port: port[0][:-1] + "[3:0])", wrapper.read_text())
+    text, found = re.subn(r"\((?:y_o|r_o|c_o|sum|m_axis_tdata)\)", lambda port: port[0][:-1] + "[3:0])", wrapper.read_text())
     if found != 1:
         raise Failed(f"{wrapper}: {found} results, not one")
     damaged.write_text(text)
@@ -194,12 +197,17 @@ def lint(tool, folders):
             for values in sets if family_files else ():
                 silent(command(tool, top, models + family_files, dict(zip(names.split(), values))))
                 modules += 1
-    # shade with some of its effects; Verilator and Yosys want the number sized.
-    shade = units.units()["glint_effect_shade_bps_p12"]
+    # shade, and pixel around it, with some of the effects; Verilator and Yosys want the number sized.
+    shade, pixel = (units.units()[f"glint_effect_{name}_bps_p12"] for name in ("shade", "pixel"))
     everything = next(int(p["default"]) for p in shade["parameters"] if p["name"] == "MASK")
     bits = everything.bit_length()
-    for mask in (0, *(1 << bit for bit in range(bits)), everything - 1):
-        silent(command(tool, shade["name"], shade["files"], {"MASK": mask if tool == "iverilog" else f"{bits}'d{mask}"}))
+    masks = [(shade, mask) for mask in (0, *(1 << bit for bit in range(bits)), everything - 1)]
+    for unit, mask in [*masks, *((pixel, mask) for mask in (3, 4, 10, 32, 64))]:
+        silent(command(tool, unit["name"], unit["files"], {"MASK": mask if tool == "iverilog" else f"{bits}'d{mask}"}))
+        modules += 1
+    for mask in (0, 1, 5, 2048):
+        select = units.units()["glint_effect_lobe_select_p12"]
+        silent(command(tool, select["name"], select["files"], {"MASK": mask if tool == "iverilog" else f"12'd{mask}"}))
         modules += 1
     for file in RTL.rglob("*.v"):
         if file not in listed and file.stem not in MODULES:

@@ -1,5 +1,9 @@
+#include <array>
 #include <cmath>
 
+#include <fmt/format.h>
+
+#include "glint/decay_bounds.hpp"
 #include "glint/sweep.hpp"
 #include "lobe_checks.hpp"
 
@@ -66,4 +70,53 @@ TEST_CASE("decay: each intermediate fits its width") {
                unsigned_bits(value(trace, "w"), f.V + 3) && unsigned_bits(value(trace, "x"), f.V + f.E + 2) &&
                unsigned_bits(value(trace, "fall"), f.fall_bits);
     });
+}
+
+TEST_CASE("decay: the bounds that its document calls proven") {
+    struct Row {
+        const char* profile;
+        double ulp;
+    };
+    const Lobe& lobe = find_lobe("decay");
+    for (const Row& row : {Row{"p8", 1.4361}, Row{"p12", 1.7726}, Row{"p16", 1.9302}}) {
+        const Profile profile = parse_profile(row.profile);
+        const double ulp = std::ldexp(lobe.error_bound(profile), profile.O);
+        CHECK(std::ceil(ulp * 1e4) / 1e4 == row.ulp);
+        CHECK(ulp < lobe.bound_ulp);
+    }
+}
+
+TEST_CASE("decay: what is proven is not below what is measured over every input, nor far above it") {
+    DecayBounds bounds;
+    int formats = 0;
+    for (const int F : {9, 10, 16}) {
+        for (const auto& [A, M, V] :
+             {std::array{1, 3, 5}, std::array{2, 6, 6}, std::array{3, 5, 9}, std::array{4, 8, 7}}) {
+            for (const auto& [H, G, W] : {std::array{1, 0, 3}, std::array{3, 2, 4}, std::array{4, 1, 4}}) {
+                const int O = F == 16 ? 8 : 7 + V % 3;
+                const std::vector<int> numbers{F, A, M, V, H, G, W, 1, O};
+                const Profile profile = parse_profile(fmt::format("{}", fmt::join(numbers, ",")));
+                const Range n = F == 16 ? Range{1, max_n, 73} : Range{1, max_n, 1};
+                const auto model = find_lobe("decay").golden(profile);
+                const double measured = sweep(*model, n, {0, profile.one(), 1}).total.approximation.value;
+                const double proven = bounds(numbers);
+                INFO(profile.name << ": measured " << measured << ", proven " << proven);
+                CHECK(proven == find_lobe("decay").error_bound(profile));
+                CHECK(proven >= measured);
+                CHECK(proven < 1.5 * measured);
+                CHECK(bounds(numbers, measured / 2) >= measured / 2);  // it stops early, and says so
+                ++formats;
+            }
+        }
+    }
+    CHECK(formats == 36);
+    CHECK_THROWS_WITH(bounds({20, 6, 19, 16, 6, 2, 5, 1, 16}), "M of a proof = 19 is not legal for decay: 1 to 18");
+}
+
+TEST_CASE("decay: the shortest entries of fall fit their widths") {
+    const Lobe& lobe = find_lobe("decay");
+    for (int H = 1; H <= 8; ++H) {
+        const Profile profile = parse_profile(fmt::format("16,1,3,9,{},0,4,1,{}", H, std::max(4, H + 3)));
+        CHECK_FALSE(lobe.emit(profile, default_architecture(lobe)).empty());
+    }
 }

@@ -30,6 +30,10 @@ EffectPort term_port(std::string_view name, const Profile& profile, int E) {
     return {name, Kind::term, profile.O + 1 + E, false, profile.O, 0, power_of_two(profile.O + 1 + E) - 1};
 }
 
+EffectPort component_port(std::string_view name, int W) {
+    return {name, Kind::component, W, true, W - 1, -power_of_two(W - 1), power_of_two(W - 1) - 1};
+}
+
 void check_output_bits(std::string_view effect, const Profile& profile, int greatest_O) {
     if (profile.O > greatest_O) {
         throw Error(fmt::format("O = {} is not legal for the effect {}: 4 to {}", profile.O, effect, greatest_O));

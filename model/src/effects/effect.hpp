@@ -29,6 +29,9 @@ EffectPort light_colour_port(std::string_view name, const Profile& profile);
 /// A term, or a colour made of terms: O + 1 + E bits, unsigned, all codes legal.
 EffectPort term_port(std::string_view name, const Profile& profile, int E);
 
+/// A component of a vector: W bits with a sign, W - 1 fraction bits, all codes legal.
+EffectPort component_port(std::string_view name, int W);
+
 /// Throws Error unless O <= `greatest_O` (and O <= F where a cosine is rounded to a result). An effect without guard
 /// bits of its own takes F and O of a custom profile; the numbers between them are a lobe's.
 void check_output_bits(std::string_view effect, const Profile& profile, int greatest_O);

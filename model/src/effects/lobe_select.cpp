@@ -170,7 +170,7 @@ std::vector<GeneratedFile> emit(const Profile& profile, std::string_view) {
                     count - 1, count, all));
     file.unit->numbers = {
         {"O", std::to_string(O)}, {"N", std::to_string(count)}, {"CLOCKS", fmt::format("{{{}}}", clocks)}};
-    file.unit->parameters.push_back({"MASK", std::to_string(all), fmt::format("1 to {}", all),
+    file.unit->parameters.push_back({"MASK", std::to_string(all), fmt::format("0 to {}", all),
                                      "what is built: bit k the lobe k", static_cast<int>(count)});
     file.unit->parameters.push_back({"LOG_DEPTH", "6", "1 to 16", "2^LOG_DEPTH inputs are in flight at most"});
     return made_of(std::move(file), std::move(parts), {"default", {}, slowest + block::lobe_select().clocks, 1});

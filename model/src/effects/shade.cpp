@@ -38,6 +38,10 @@ std::string_view lasting(const std::string& name) {
 
 constexpr std::string_view channels[] = {"r", "g", "b"};
 
+/// The colours, in the order of their ports.
+enum Colour { ka, ia, kd, ks, i, colour_count };
+constexpr std::string_view colour_names[colour_count] = {"ka", "ia", "kd", "ks", "i"};
+
 class Shade final : public EffectModel {
 public:
     Shade(const Profile& profile, std::string_view lobe, std::vector<std::unique_ptr<EffectModel>> models)
@@ -51,6 +55,9 @@ public:
             std::vector<std::size_t> where;
             for (const EffectPort& port : term->inputs()) where.push_back(index(port_name(term->effect(), port)));
             feeds_.push_back(where);
+        }
+        for (std::size_t k = 0; k < std::size(colour_names); ++k) {
+            colours_[k] = index(fmt::format("{}_r", colour_names[k]));
         }
     }
 
@@ -77,16 +84,17 @@ private:
                 if (!there) out.push_back(port);
             }
         }
-        const auto colour = [&](std::string_view name, auto make) {
+        const auto colour = [&](Colour which, auto make) {
+            const std::string_view name = colour_names[which];
             for (const std::string_view channel : channels) {
                 out.push_back(make(lasting(fmt::format("{}_{}", name, channel)), profile));
             }
         };
-        colour("ka", material_colour_port);
-        colour("ia", light_colour_port);
-        colour("kd", material_colour_port);
-        colour("ks", material_colour_port);
-        colour("i", light_colour_port);
+        colour(ka, material_colour_port);
+        colour(ia, light_colour_port);
+        colour(kd, material_colour_port);
+        colour(ks, material_colour_port);
+        colour(i, light_colour_port);
         return out;
     }
 
@@ -98,18 +106,18 @@ private:
     }
 
     template <class Number>
-    std::vector<Number> colours(const Number* in, std::string_view k, std::string_view i) const {
+    std::vector<Number> colours(const Number* in, Colour k, Colour i) const {
         std::vector<Number> out;
-        for (const std::string_view name : {k, i}) {
-            const std::size_t first = index(fmt::format("{}_r", name));
-            out.insert(out.end(), in + first, in + first + 3);
+        for (const Colour colour : {k, i}) {
+            const Number* first = in + colours_[colour];
+            out.insert(out.end(), first, first + 3);
         }
         return out;
     }
 
     template <class Number>
-    std::vector<Number> tint_inputs(Number sum, const Number* in, std::string_view k) const {
-        std::vector<Number> out = colours(in, k, "i");
+    std::vector<Number> tint_inputs(Number sum, const Number* in, Colour k) const {
+        std::vector<Number> out = colours(in, k, i);
         out.insert(out.begin(), sum);
         return out;
     }
@@ -136,10 +144,10 @@ private:
             any[kind] = true;
         }
         for (int kind = 0; kind < 2; ++kind) {
-            x.part[kind] = tint_->eval_port(tint_inputs(x.sum[kind], in, kind == 0 ? "kd" : "ks"));
+            x.part[kind] = tint_->eval_port(tint_inputs(x.sum[kind], in, kind == 0 ? kd : ks));
             x.clamped |= any[kind] && x.part[kind].clamped;
         }
-        x.ambient = ambient_->eval_port(colours(in, "ka", "ia"));
+        x.ambient = ambient_->eval_port(colours(in, ka, ia));
         const bool lit = (asked & 1) != 0;
         x.clamped |= lit && x.ambient.clamped;
         for (std::size_t c = 0; c < 3; ++c) {
@@ -187,9 +195,9 @@ private:
             double& part = sum[terms[t].diffuse ? 0 : 1];
             part = std::min(most, part + terms_[t]->reference(inputs_of(t, in))[0]);
         }
-        const std::vector<double> diffuse = tint_->reference(tint_inputs(sum[0], in, "kd"));
-        const std::vector<double> specular = tint_->reference(tint_inputs(sum[1], in, "ks"));
-        const std::vector<double> ambient = ambient_->reference(colours(in, "ka", "ia"));
+        const std::vector<double> diffuse = tint_->reference(tint_inputs(sum[0], in, kd));
+        const std::vector<double> specular = tint_->reference(tint_inputs(sum[1], in, ks));
+        const std::vector<double> ambient = ambient_->reference(colours(in, ka, ia));
         for (std::size_t c = 0; c < 3; ++c) {
             out[c] = std::min(most, ((asked & 1) != 0 ? ambient[c] : 0.0) + diffuse[c] + specular[c]);
         }
@@ -201,7 +209,7 @@ private:
         double bound = 1.5;  // ambient, diffuse, specular: half an ulp each
         for (std::size_t t = 0; t < term_count; ++t) {
             if ((asked >> (t + 1) & 1) == 0) continue;
-            const std::vector<double> k_and_i = colours(in, terms[t].diffuse ? "kd" : "ks", "i");
+            const std::vector<double> k_and_i = colours(in, terms[t].diffuse ? kd : ks, i);
             double most = 0.0;
             for (std::size_t c = 0; c < 3; ++c) most = std::max(most, k_and_i[c] * k_and_i[c + 3]);
             bound += find_effect(terms[t].effect).bound_ulp * terms_[t]->bound_scale(inputs_of(t, in)) * most;
@@ -213,6 +221,7 @@ private:
     std::vector<std::unique_ptr<EffectModel>> terms_;
     std::unique_ptr<EffectModel> ambient_, tint_;
     std::vector<std::vector<std::size_t>> feeds_;  ///< of each term, the ports that feed its own
+    std::size_t colours_[colour_count];            ///< the port of each colour's red
 };
 
 std::unique_ptr<Shade> make(const Profile& profile, std::string_view lobe) {

@@ -1,8 +1,6 @@
 // The lobe `decay`: docs/lobes/decay.md.
 
-#include <bit>
-
-#include "exp_log.hpp"
+#include "decay_format.hpp"
 
 namespace glint {
 namespace {
@@ -11,77 +9,11 @@ using exp_log::nearest;
 using exp_log::Wide;
 using exp_log::wide_one;
 
-struct DecayFormat {
-    static constexpr std::string_view lobe = "decay";
-    /// A piece of a function: its value at the begin, and what it rises by to the end.
-    struct Piece {
-        std::int64_t base = 0, slope = 0;
-    };
-
-    int F = 0;  ///< fraction bits of the cosine
-    int A = 0;  ///< address bits of logarithm within an octave
-    int M = 0;  ///< bits of m
-    int V = 0;  ///< fraction bits of w, lambda and x
-    int H = 0;  ///< address bits of fall within an octave
-    int G = 0;  ///< guard bits of fall
-    int W = 0;  ///< address bits of the octave of fall
-    int N = 0;  ///< 1: the unit's table of lambda has an entry for each n; 0: for what follows the leading one of n
-    int O = 0;  ///< fraction bits of the output
-    int E = 0;  ///< bits of e
-    std::vector<Piece> logarithm, fall;
-    std::vector<std::int64_t> exponent;
-
-    struct Steps {
-        std::int64_t octave = 0, m = 0, w = 0, x = 0, fall = 0, y = 0;
-    };
-
-    int first_octave() const { return end_octave() - (1 << W); }
-    int end_octave() const { return (1 << E) + 10; }
-
-    // Each value is below 2^31; products below 2^48.
-    Steps steps(int n, std::int64_t C) const {
-        Steps s;
-        const std::int64_t one = std::int64_t{1} << F;
-        if (C == one) {
-            s.y = std::int64_t{1} << O;
-            return s;
-        }
-        const std::int64_t distance = one - 1 - C;
-        const int e =
-            std::min(F - static_cast<int>(std::bit_width(static_cast<std::uint64_t>(distance))), (1 << E) - 1);
-        const std::int64_t shifted = ((distance + 1) << e) - 1;
-        s.octave = (1 << E) - 1 - e;
-        s.m = shifted >= one / 2 ? (shifted - one / 2) >> (F - 1 - M) : 0;
-        const int R = M - A;
-        const Piece& a = logarithm[static_cast<std::size_t>((s.octave << A) + (s.m >> R))];
-        s.w = a.base + ((a.slope * (s.m & ((1 << R) - 1))) >> R);
-
-        const int k = static_cast<int>(std::bit_width(static_cast<unsigned>(n))) - 1;
-        const std::int64_t lambda = exponent[static_cast<std::size_t>((n << (9 - k)) - 512)];
-        s.x = s.w + lambda + ((s.octave + k + 6) << V);
-
-        const int Q = V - H;
-        const std::int64_t octave = s.x >> V;
-        if (octave >= first_octave()) s.fall = (std::int64_t{1} << (O + G)) - 1;
-        if (octave >= first_octave() && octave < end_octave()) {
-            const Piece& b = fall[static_cast<std::size_t>((s.x >> Q) & ((1 << (W + H)) - 1))];
-            s.fall = b.base + ((b.slope * (s.x & ((1 << Q) - 1))) >> Q);
-        }
-        s.y = C == 0 ? 0 : n == 1 ? C >> (F - O) : (std::int64_t{1} << O) - 1 - (s.fall >> G);
-        return s;
-    }
-
-    std::vector<Intermediate> named(std::int64_t C, const Steps& s) const {
-        return {{"C", C, F},   {"octave", s.octave, 0}, {"m", s.m, M}, {"w", s.w, V},
-                {"x", s.x, V}, {"fall", s.fall, O + G}, {"y", s.y, O}};
-    }
-
-    double real(double c, double n) const { return reference::blinn_phong(c, n); }
-
-    int base_bits() const { return V + 2; }
-    int slope_bits() const { return V - std::min(A, 4) + 2; }
-    int step_bits() const { return O + G - H - 1; }
-};
+std::vector<int> own_numbers(int F, int O) {
+    const int address = std::max(4, O / 2 - 2);
+    const int bits = std::max(O, 8);
+    return {F, address, bits, bits, address, 2, O > 12 ? 5 : 4, 1, O};
+}
 
 /// log2(-ln(1 - d)) at the begin of piece i of octave e, relative to the octave: between 0.4 and 3.5.
 Wide log_of_log(int A, int e, int i) {
@@ -89,6 +21,8 @@ Wide log_of_log(int A, int e, int i) {
     if (e == 0) return exp_log::log2(exp_log::minus_log_1m(x, A + 1)) + wide_one;
     return exp_log::log2_1p(i, A) + exp_log::log2(exp_log::log_ratio(x, A + 1 + e));
 }
+
+}  // namespace
 
 std::vector<DecayFormat::Piece> logarithm_pieces(const DecayFormat& f) {
     const int pieces = 1 << f.A;
@@ -128,16 +62,16 @@ std::vector<DecayFormat::Piece> fall_pieces(const DecayFormat& f) {
     return out;
 }
 
-std::vector<int> decay_numbers(int F, int O) {
-    const int address = std::max(4, O / 2 - 2);
-    const int bits = std::max(O, 8);
-    return {F, address, bits, bits, address, 2, O > 12 ? 5 : 4, 1, O};
+std::vector<std::int64_t> exponent_entries(const DecayFormat& f) {
+    std::vector<std::int64_t> out;
+    for (int m = 0; m < 512; ++m) {
+        out.push_back(static_cast<std::int64_t>(exp_log::log2_1p(m, 9) >> (exp_log::wide_bits - f.V)));
+    }
+    return out;
 }
 
-DecayFormat decay_format(const Profile& profile) {
+DecayFormat decay_words(const std::vector<int>& x) {
     constexpr std::string_view lobe = DecayFormat::lobe;
-    if (!profile.shipped()) check_custom(profile, lobe, "F,A,M,V,H,G,W,n,O");
-    const std::vector<int> x = profile.shipped() ? decay_numbers(profile.F, profile.O) : profile.custom;
     DecayFormat f{x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], 0, {}, {}, {}};
     in_range(lobe, "F", f.F, 9, 30);
     in_range(lobe, "O", f.O, 4, std::min(28, f.F));
@@ -145,15 +79,26 @@ DecayFormat decay_format(const Profile& profile) {
     in_range(lobe, "A", f.A, 1, 7);
     in_range(lobe, "M", f.M, f.A + 1, f.F - 1);
     in_range(lobe, "G", f.G, 0, 4);
-    in_range(lobe, "H", f.H, 1, std::min(8, f.O + f.G - 2));
+    in_range(lobe, "H", f.H, 1, std::min(8, f.O + f.G - 3));
     in_range(lobe, "V", f.V, std::max(f.A, f.H) + 1, 24);
     in_range(lobe, "W", f.W, 3, f.E);
     in_range(lobe, "n", f.N, 0, 1);
+    return f;
+}
+
+std::vector<int> decay_numbers(const Profile& profile) {
+    if (profile.shipped()) return own_numbers(profile.F, profile.O);
+    check_custom(profile, DecayFormat::lobe, "F,A,M,V,H,G,W,n,O");
+    return profile.custom;
+}
+
+namespace {
+
+DecayFormat decay_format(const Profile& profile) {
+    DecayFormat f = decay_words(decay_numbers(profile));
     f.logarithm = logarithm_pieces(f);
     f.fall = fall_pieces(f);
-    for (int m = 0; m < 512; ++m) {
-        f.exponent.push_back(static_cast<std::int64_t>(exp_log::log2_1p(m, 9) >> (exp_log::wide_bits - f.V)));
-    }
+    f.exponent = exponent_entries(f);
     return f;
 }
 
@@ -249,9 +194,10 @@ Lobe decay_lobe() {
             decay_hard_cases,
             {},
             false,
-            decay_numbers,
+            own_numbers,
             true,
-            2.0};
+            2.0,
+            decay_bound};
 }
 
 }  // namespace glint

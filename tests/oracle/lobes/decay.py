@@ -88,7 +88,7 @@ class Lobe:
             or in_range(O=(self.O, 4, min(28, self.F)), A=(self.A, 1, 7))
             or in_range(M=(self.M, self.A + 1, self.F - 1), G=(self.G, 0, 4))
             or in_range(
-                H=(self.H, 1, min(8, self.O + self.G - 2)),
+                H=(self.H, 1, min(8, self.O + self.G - 3)),
                 V=(self.V, max(self.A, self.H) + 1, 24),
                 W=(self.W, 3, self.E),
                 n=(self.direct, 0, 1),
