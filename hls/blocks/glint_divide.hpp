@@ -184,25 +184,6 @@ uint<S + 1> divide(uint<D_W> x, uint<D_W> D) {
     return divide_below<S, D_W>(to_uint<D_W>(D - x), D);
 }
 
-/// floor(x / D) for x < D 2^S, D > 0: the upper D_W bits of x are the first remainder, and a step takes in one of the S
-/// others. Of one form, that of none of the macros.
-template <int S, int D_W>
-uint<S> divide_whole(uint<D_W + S> x, uint<D_W> D) {
-    uint<D_W> remainder = to_uint<D_W>(x >> S);
-    uint<S> quotient = 0;
-    GLINT_UNROLL
-    for (int step = 1; step <= S; ++step) {
-        GLINT_UNROLL_VITIS
-        const uint<1> next = to_uint<1>(x >> (S - step));
-        const uint<D_W + 2> doubled = to_uint<D_W + 2>(to_uint<D_W + 2>(to_uint<D_W + 2>(remainder) << 1) | next);
-        const uint<D_W + 2> left = to_uint<D_W + 2>(doubled - to_uint<D_W + 2>(D));
-        const bool fits = (left >> (D_W + 1)) == 0;
-        remainder = to_uint<D_W>(fits ? left : doubled);
-        quotient = to_uint<S>(to_uint<S>(quotient << 1) | to_uint<S>(fits));
-    }
-    return quotient;
-}
-
 }  // namespace glint_hls
 
 #include "glint_names_end.hpp"
