@@ -33,6 +33,7 @@ struct Options {
     int samples = 1;
     bool all_effects = false;
     bool compare = false;
+    std::string from = "dots";
     std::string against;
     std::string against_model;
     std::string json;
@@ -98,11 +99,13 @@ std::string plan_table(const Plan& plan, const Scene& scene) {
                              effects_of(material, plan, scene)});
     }
     std::vector<std::vector<std::string>> units{{"unit", "evaluations"}};
-    for (const UnitPlan& unit : plan.units) units.push_back({unit_name(unit), grouped(unit.evaluations)});
+    const std::vector<UnitPlan>& brought_up = plan.pixels.empty() ? plan.units : plan.pixels;
+    for (const UnitPlan& unit : brought_up) units.push_back({unit_name(unit), grouped(unit.evaluations)});
     std::string out = io::table(materials) + "\n" + io::table(units);
     for (const ShadePlan& unit : plan.shade) {
-        out += fmt::format("as one unit: shade{}, MASK {} ({})\n", unit.lobe.empty() ? "" : " (" + unit.lobe + ")",
-                           unit.mask, fmt::join(built(unit.mask), ", "));
+        out +=
+            fmt::format("{}{}, MASK {} ({})\n", plan.pixels.empty() ? "as one unit: shade" : "pixel",
+                        unit.lobe.empty() ? "" : " (" + unit.lobe + ")", unit.mask, fmt::join(built(unit.mask), ", "));
     }
     if (!plan.not_needed.empty()) out += fmt::format("not needed: {}\n", fmt::join(plan.not_needed, ", "));
     return out;
@@ -123,7 +126,7 @@ Json plan_json(const Plan& plan, const Scene& scene) {
                                     {"fragments", material.fragments},
                                     {"effects", effects}});
     }
-    for (const UnitPlan& unit : plan.units) {
+    for (const UnitPlan& unit : plan.pixels.empty() ? plan.units : plan.pixels) {
         Json entry{{"effect", unit.effect}};
         if (!unit.lobe.empty()) entry["lobe"] = unit.lobe;
         entry["evaluations"] = unit.evaluations;
@@ -235,6 +238,11 @@ int run_render(const Options& options, const std::string& command) {
     if (options.engine != "float" && options.engine != "fixed" && options.engine != "rtl") {
         throw Error(fmt::format("--engine '{}' is not legal: float, fixed, rtl", options.engine));
     }
+    if (options.from != "dots" && options.from != "vectors") {
+        throw Error(fmt::format("--from '{}' is not legal: dots, vectors", options.from));
+    }
+    const bool vectors = options.from == "vectors";
+    if (vectors && options.all_effects) throw Error("--all-effects is not legal with --from vectors");
     if (lower(std::filesystem::path(options.output).extension().string()) != ".png") {
         throw Error(fmt::format("-o '{}' is not legal: a file NAME.png", options.output));
     }
@@ -267,7 +275,8 @@ int run_render(const Options& options, const std::string& command) {
                               io::progress_bar("rays"));
     const double ray_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     if (job.fragments.empty()) fmt::print(stderr, "glint: warning: nothing is in the picture (0 fragments)\n");
-    const Plan plan = make_plan(job.scene, job.fragments, options.lobe, options.all_effects);
+    Plan plan = make_plan(job.scene, job.fragments, options.lobe, options.all_effects);
+    if (vectors) plan = from_vectors(std::move(plan), job.scene, options.lobe);
     const std::string obstacle = rtl_obstacle(plan, job.profile);
     if (options.engine == "rtl" && !obstacle.empty()) throw Error(obstacle);
 
@@ -301,6 +310,7 @@ int run_render(const Options& options, const std::string& command) {
               {"scene", options.scene},
               {"lobe", options.lobe},
               {"profile", job.profile.name},
+              {"from", options.from},
               {"width", job.size.width},
               {"height", job.size.height},
               {"samples", options.samples},
@@ -373,6 +383,8 @@ void add_render(CLI::App& app, Chosen& chosen) {
     command->add_option("--engine", options->engine, "float: real functions; fixed: golden models; rtl: the Verilog")
         ->capture_default_str();
     command->add_option("--lobe", options->lobe, "Lobe of highlights, where the scene names none")
+        ->capture_default_str();
+    command->add_option("--from", options->from, "fixed, rtl: dots (terms from dot products) or vectors (pixels)")
         ->capture_default_str();
     command->add_option("--profile", options->profile, "Profile: p8, p12, p16 or F,..,O")->capture_default_str();
     command->add_option("--size", options->size, "Width and height in pixels")->capture_default_str();

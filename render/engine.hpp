@@ -36,15 +36,16 @@ std::unique_ptr<Unit> golden_unit(const EffectModel& model, const std::string& l
 
 struct Shading {
     Picture samples;                         ///< linear, not cut
-    std::vector<std::uint64_t> evaluations;  ///< done, in the order of Plan::units
+    std::vector<std::uint64_t> evaluations;  ///< done, in the order of Plan::units, or of Plan::pixels
     std::uint64_t corrected = 0;             ///< evaluations with an input out of its legal range
     std::uint64_t clocks = 0;                ///< of all simulated units
     double seconds = 0.0;
 };
 
 /// Shades the fragments; the other pixels show the background. With `make_unit` the sum of the terms is exact, in
-/// integers; without (an empty function) everything is in double, by the real functions of the effects. The result
-/// does not depend on `threads` (0: one a core).
+/// integers; without (an empty function) everything is in double, by the real functions of the effects. Where the plan
+/// has `pixels`, units get the vectors of a fragment and sum the lights, cut to 0 .. 1. The result does not depend on
+/// `threads` (0: one a core).
 Shading shade(const Scene& scene, const Plan& plan, const std::vector<Fragment>& fragments, int width, int height,
               const Profile& profile, const MakeUnit& make_unit, unsigned threads, const Progress& progress);
 

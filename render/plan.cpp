@@ -109,4 +109,20 @@ Plan make_plan(const Scene& scene, const std::vector<Fragment>& fragments, const
     return plan;
 }
 
+Plan from_vectors(Plan plan, const Scene& scene, const std::string& lobe) {
+    for (const ShadePlan& unit : plan.shade) plan.pixels.push_back({"pixel", unit.lobe.empty() ? lobe : unit.lobe, 0});
+    for (MaterialPlan& material : plan.materials) {
+        const ShadePlan wanted = shade_of(material, plan);
+        if (wanted.mask == 0) continue;
+        const auto found = std::find_if(plan.shade.begin(), plan.shade.end(), [&](const ShadePlan& unit) {
+            return (wanted.mask & ~unit.mask) == 0 && (wanted.lobe.empty() || wanted.lobe == unit.lobe);
+        });
+        material.pixel = static_cast<std::size_t>(found - plan.shade.begin());
+        const std::uint64_t passes =
+            (material.ambient_shown ? 1 : 0) + (material.terms.empty() ? 0 : scene.lights.size());
+        plan.pixels.at(material.pixel).evaluations += passes * material.fragments;
+    }
+    return plan;
+}
+
 }  // namespace glint::render

@@ -31,6 +31,7 @@ struct MaterialPlan {
     bool ambient = false;  ///< evaluates `ambient`
     bool ambient_shown = false;
     std::vector<Term> terms;  ///< per light
+    std::size_t pixel = 0;    ///< of Plan::pixels
 };
 
 /// A unit of the effect `shade`, for the materials that it can shade.
@@ -44,6 +45,7 @@ struct Plan {
     std::vector<UnitPlan> units;
     std::vector<MaterialPlan> materials;  ///< those that the camera sees
     std::vector<ShadePlan> shade;         ///< a unit for each lobe; none where all is dark
+    std::vector<UnitPlan> pixels;  ///< the effect `pixel` in place of `units`: one for each of `shade`; else empty
     std::vector<std::string> not_needed;  ///< terms, ambient and tint that no visible material calls for
     static constexpr std::size_t none = static_cast<std::size_t>(-1);
     std::size_t ambient = none;  ///< of `units`
@@ -53,5 +55,9 @@ struct Plan {
 /// `lobe` is that of materials without one of their own. With `all_effects` every unit evaluates every fragment; what a
 /// material does not call for is not shown.
 Plan make_plan(const Scene& scene, const std::vector<Fragment>& fragments, const std::string& lobe, bool all_effects);
+
+/// The plan with units of the effect `pixel`, which get vectors: an evaluation for the ambient light, and one for each
+/// light. `lobe` is that of a unit without highlights.
+Plan from_vectors(Plan plan, const Scene& scene, const std::string& lobe);
 
 }  // namespace glint::render

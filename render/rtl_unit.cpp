@@ -48,7 +48,8 @@ private:
 
 std::string rtl_obstacle(const Plan& plan, const Profile& profile) {
     try {
-        for (const UnitPlan& unit : plan.units) testbench::find_effect_unit(unit.effect, unit.lobe, profile.name);
+        const std::vector<UnitPlan>& units = plan.pixels.empty() ? plan.units : plan.pixels;
+        for (const UnitPlan& unit : units) testbench::find_effect_unit(unit.effect, unit.lobe, profile.name);
     } catch (const Error& error) {
         return error.what();
     }

@@ -55,6 +55,7 @@ install_missing() {
         need iverilog command_there iverilog
         need yosys command_there yosys
         need nextpnr-ice40 command_there nextpnr-ice40
+        need fpga-icestorm command_there icepack
         need z3 command_there z3
         need sollya command_there sollya
         need libsystemc-dev file_there '/usr/include/systemc'

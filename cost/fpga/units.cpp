@@ -289,6 +289,7 @@ std::vector<PricedUnit> effects_of(const Options& options) {
                 std::vector<GeneratedFile> files = effect->emit(profile, options.lobe);
                 const Architecture architecture = parse_architecture(*files.front().unit, name);
                 use_family(*files.front().unit, architecture.family);
+                if (architecture.block) use_block_tables(files);
                 const Design design = design_of(files);
                 if (!masked(*effect)) {
                     out.push_back(effect_unit(*effect, *model, design, options.lobe, architecture, std::nullopt));

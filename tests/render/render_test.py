@@ -233,6 +233,23 @@ class Engines(RenderCase):
             mean = sum(d * d for d in apart) / len(apart)
             self.near(10 * math.log10(255 * 255 / mean), found["against_float"]["psnr_db"], 1e-6)
 
+    def test_vectors(self):
+        """Pixels from vectors: the engines agree as from dot products, and no input is corrected."""
+        for name in SHIPPED:
+            self.render(SCENES / f"{name}.json", "--from", "vectors", "--compare", "--size", "64x36", "-o", "c.png", "--json", "c.json")
+            found = self.json("c.json")
+            self.equal({unit["effect"] for unit in found["plan"]["units"]}, {"pixel"}, name)
+            self.true(found["against_float"]["psnr_db"] >= 50.0, f"{name}: {found['against_float']}")
+            self.equal([engine["corrected"] for engine in found["engines"][1:]], [0] * (len(found["engines"]) - 1), name)
+            if OPTIONS.rtl and len(found["plan"]["units"]) == 1:  # the build has pixel around one lobe
+                self.equal(found["rtl_against_fixed"], {"pixels": 64 * 36, "unequal": 0}, name)
+        # As from dot products, but for the rounding of vectors.
+        self.render(SCENES / "figure.json", "--from", "vectors", "--size", "64x36", "-o", "v.png")
+        self.render(SCENES / "figure.json", "--size", "64x36", "-o", "d.png")
+        a, b = (self.picture(name)[2] for name in ("v.png", "d.png"))
+        apart = max(abs(x - y) for p, q in zip(a, b) for u, v in zip(p, q) for x, y in zip(u, v))
+        self.true(0 < apart <= 2, f"{apart} of 255")
+
     def test_profiles(self):
         """More bits, less error."""
         psnr = {}
@@ -383,6 +400,8 @@ class Refusals(RenderCase):
                 ("scene.*required", ("-o", "a.png")),
                 ("output.*required", (figure,)),
                 ("--engine 'gpu' is not legal: float, fixed, rtl", (figure, "-o", "a.png", "--engine", "gpu")),
+                ("--from 'x' is not legal: dots, vectors", (figure, "-o", "a.png", "--from", "x")),
+                ("--all-effects is not legal with --from vectors", (figure, "-o", "a.png", "--from", "vectors", "--all-effects")),
                 ("-o 'a.jpg' is not legal", (figure, "-o", "a.jpg")),
                 ("--size '10' is not legal", (figure, "-o", "a.png", "--size", "10")),
                 ("--size: width '0' is not legal: 1 to 8192", (figure, "-o", "a.png", "--size", "0x5")),

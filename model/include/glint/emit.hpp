@@ -33,6 +33,10 @@ std::vector<GeneratedFile> with_axi_stream(std::vector<GeneratedFile> files, con
 /// Throws Error.
 std::vector<GeneratedFile> with_lanes(std::vector<GeneratedFile> files, int lanes);
 
+/// The tables of these units in block memory: other modules in their place, glint_table_..._block, which ask for it by
+/// the attribute rom_style. The same ports, bits and clocks.
+void use_block_tables(std::vector<GeneratedFile>& files);
+
 /// The Verilog that is committed in rtl/generated: the units of all lobes and effects at the shipped profiles, effects
 /// made of a lobe with the first one, AXI4-Stream units at p12; and what they are made of. Each file once.
 std::vector<GeneratedFile> committed_verilog();
