@@ -332,7 +332,7 @@ class Committed(Cost):
             self.true(price["registers"] - bare[name[:-1]]["registers"] >= 2 * (10 + F + 2 + 1 + O + 1 + 1 + 1), f"{name}")
 
     def test_prices_of_effects_are_those_of_the_verilog(self):
-        names = ("effect", "mask", "lobe", "profile", "device", "dsp")
+        names = ("effect", "mask", "lobe", "profile", "architecture", "device", "dsp")
         committed, points = self.read_committed("effects", names)
         shade = [price for price in points.values() if price["effect"] == "shade"]
         wider = [(a, b) for a in shade for b in shade if a["device"] == b["device"] and a["profile"] == b["profile"]
