@@ -114,6 +114,9 @@ def tasks():
             out += [Task(f"{lobe}.{profile}", HANDSHAKE, unit, kind, {**numbers, "TAG_W": TAG_W}, "induction", 2),
                     Task(f"axis.{lobe}.{profile}", HANDSHAKE + "; operands and result kept",
                          wrapper, "axis", {**numbers, "USER_W": TAG_W}, "induction", 3)]
+        if any(parameter["name"] == "DEEP" for parameter in UNITS[f"glint_{lobe}_p12"]["parameters"]):
+            out.append(Task(f"{lobe}.deep.p12", HANDSHAKE, unit, kind, {**word_lengths(lobe, "p12"), "DEEP": 1, "TAG_W": TAG_W},
+                            "induction", 2))
         core = {**small, "TAG_W": 2}
         axis = {**small, "USER_W": 1}
         out += [Task(f"{lobe}.cover", "not vacuous", unit, kind, core, "cover", 60),
