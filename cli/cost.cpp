@@ -123,8 +123,7 @@ void add_cost(CLI::App& app, Chosen& chosen) {
     o->units = {
         command->add_option("--lobe", o->lobe, "Lobes, or all; with --fpga also table: a rival, c^n in block RAM"),
         command->add_option("--effect", o->effect, "Effects instead of lobes, or all (made of --lobe; default bps)"),
-        command->add_option("--mask", o->mask,
-                            "Of shade and pixel: values of MASK; default: a list (docs/cost.md)"),
+        command->add_option("--mask", o->mask, "Of shade and pixel: values of MASK; default: a list (docs/cost.md)"),
         command->add_option("--profile", o->profile, "Profiles: p8, p12, p16 or the lobe's F,..,O"),
         command->add_option("--device", o->device, "hx8k (default), up5k, ecp5-25k, ecp5-85k, xc7; table: all"),
     };
@@ -159,7 +158,7 @@ void add_cost(CLI::App& app, Chosen& chosen) {
         command
             ->add_option("--max-error", grid.max_error,
                          "--grid: the cheapest formats of decay for an error against c^n")
-            ->check(CLI::Range(1e-5, 0.5))
+            ->check(CLI::Range(1e-4, 0.5))
             ->option_text("FLOAT"),
     };
     command->add_option("--rtl", on_fpga.rtl, "Folder of the Verilog")->capture_default_str();
