@@ -112,7 +112,16 @@ int run_emit(const Options& options) {
     if (!options.effect.empty()) {
         const Effect& effect = find_effect(options.effect);
         for (const std::string& text : io::split_profiles(options.profile)) {
-            add(with_axi_stream(effect.emit(parse_profile(text), options.lobe), sidebands));
+            std::vector<GeneratedFile> unit = effect.emit(parse_profile(text), options.lobe);
+            if (!options.architecture.empty()) {
+                const Architecture architecture = parse_architecture(*unit.front().unit, options.architecture);
+                if (!architecture.parameters.empty())
+                    throw Error("architecture '" + options.architecture +
+                                "' is not legal here: mN is the parameter MULTIPLIER_STAGES of the wrapper");
+                use_family(*unit.front().unit, architecture.family);
+                if (architecture.block) use_block_tables(unit);
+            }
+            add(with_axi_stream(std::move(unit), sidebands));
         }
         write(files, options);
         return io::success;

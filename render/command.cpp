@@ -384,7 +384,7 @@ void add_render(CLI::App& app, Chosen& chosen) {
         ->capture_default_str();
     command->add_option("--lobe", options->lobe, "Lobe of highlights, where the scene names none")
         ->capture_default_str();
-    command->add_option("--from", options->from, "What units get: dots (dot products), or vectors")
+    command->add_option("--from", options->from, "fixed, rtl: dots (terms from dot products) or vectors (pixels)")
         ->capture_default_str();
     command->add_option("--profile", options->profile, "Profile: p8, p12, p16 or F,..,O")->capture_default_str();
     command->add_option("--size", options->size, "Width and height in pixels")->capture_default_str();

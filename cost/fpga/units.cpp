@@ -293,6 +293,7 @@ std::vector<PricedUnit> effects_of(const Options& options) {
                 const Architecture architecture = parse_architecture(*files.front().unit, name);
                 use_family(*files.front().unit, architecture.family);
                 const int latency = files.front().unit->architectures[0].latency;
+                if (architecture.block) use_block_tables(files);
                 const Design design = design_of(files);
                 if (!masked(*effect)) {
                     out.push_back(

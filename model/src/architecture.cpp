@@ -37,8 +37,8 @@ std::string legal(const Lobe& lobe) {
     std::string out, names;
     for (const Family& family : families()) names += fmt::format("{}{}", names.empty() ? "" : " or ", family.name);
     if (!lobe.divider)
-        return fmt::format("pipelined{}[:mN][:FAMILY], N = 1 to {}, FAMILY {}", lobe.deep ? "[:deep]" : "", most_stages,
-                           names);
+        return fmt::format("pipelined{}{}[:mN][:FAMILY], N = 1 to {}, FAMILY {}", lobe.deep ? "[:deep]" : "",
+                           lobe.block ? "[:block]" : "", most_stages, names);
     for (const Divider& divider : dividers)
         out += fmt::format("{}{}[:mN][:FAMILY], ", divider.name, divider.rows ? "[:rN]" : "");
     return out + fmt::format("N of r 1 to {}, N of m 1 to {}, FAMILY {}", most_rows, most_stages, names);
@@ -54,9 +54,8 @@ std::string take_family(std::string_view& rest) {
     return {};
 }
 
-/// Whether ":deep" is at the front of `rest`; it is taken off.
-bool take_deep(std::string_view& rest) {
-    constexpr std::string_view word = ":deep";
+/// Whether a word, such as ":deep", is at the front of `rest`; it is taken off.
+bool take_word(std::string_view& rest, std::string_view word) {
     if (!rest.starts_with(word)) return false;
     rest.remove_prefix(word.size());
     return true;
@@ -83,14 +82,16 @@ Architecture parse_architecture(const Lobe& lobe, std::string_view text) {
     if (lobe.divider ? divider == dividers.end() : base != "pipelined") throw refused;
     const std::string family = take_family(rest);
     const bool rows = lobe.divider && divider->rows;
-    const bool deep = lobe.deep && take_deep(rest);
+    const bool deep = lobe.deep && take_word(rest, ":deep");
+    const bool block = lobe.block && take_word(rest, ":block");
     const std::optional<int> register_every = rows ? take_number(rest, 'r', most_rows) : 1;
     const std::optional<int> stages = register_every ? take_number(rest, 'm', most_stages) : std::nullopt;
     if (!stages || !rest.empty()) throw refused;
 
-    Architecture out{std::string(base), {}, family};
+    Architecture out{std::string(base), {}, family, block};
     if (*register_every != 1) out.name += fmt::format(":r{}", *register_every);
     if (deep) out.name += ":deep";
+    if (block) out.name += ":block";
     if (*stages != 1) out.name += fmt::format(":m{}", *stages);
     if (!family.empty()) out.name += ':' + family;
     if (lobe.divider) {
@@ -108,14 +109,17 @@ Architecture parse_architecture(const HardwareUnit& unit, std::string_view text)
     const bool chosen = std::ranges::find(unit.parameters, "MULTIPLIER_STAGES", &HardwareUnit::Parameter::name) !=
                         unit.parameters.end();
     const std::string family = take_family(rest);
+    const bool block = !unit.tables.empty() && take_word(rest, ":block");
     const std::optional<int> stages = chosen ? take_number(rest, 'm', most_stages) : 1;
     if (base != "default" || !stages || !rest.empty()) {
-        throw Error(fmt::format("architecture '{}' is not legal for {}: default{}[:FAMILY], FAMILY ecp5 or up5k", text,
-                                unit.name, chosen ? fmt::format("[:mN], N = 1 to {}", most_stages) : ""));
+        throw Error(fmt::format("architecture '{}' is not legal for {}: default{}{}[:FAMILY], FAMILY ecp5 or up5k",
+                                text, unit.name, unit.tables.empty() ? "" : "[:block]",
+                                chosen ? fmt::format("[:mN], N = 1 to {}", most_stages) : ""));
     }
-    Architecture out{"", {}, family};
+    Architecture out{"", {}, family, block};
+    if (block) out.name = "block";
     if (*stages != 1) {
-        out.name = fmt::format("m{}", *stages);
+        out.name += fmt::format("{}m{}", block ? ":" : "", *stages);
         out.parameters.emplace_back("MULTIPLIER_STAGES", *stages);
     }
     if (!family.empty()) out.name += (out.name.empty() ? "" : ":") + family;

@@ -6,7 +6,8 @@
 
 `<!-- lobes -->`: every lobe at p12, `<!-- profiles of bps -->`: what a sweep of all inputs finds, `<!-- prices -->`: the
 units that its rows name; `<!-- hls -->`: what Bambu made of every kernel, `<!-- forms -->`: of the forms of the divider;
-`<!-- shells -->`: units without and with the AXI4-Stream shell; `<!-- faults -->`: the record of planted faults. The last column of the lobes and the first of
+`<!-- shells -->`: units without and with the AXI4-Stream shell; `<!-- errors -->`: the cheapest formats of `decay` for an
+error, `<!-- parts -->`: what the parts of some of them take; `<!-- blocks -->`: units with tables in block memory; `<!-- faults -->`: the record of planted faults. The last column of the lobes and the first of
 the prices are kept: they are words.
 """
 
@@ -19,7 +20,7 @@ import tempfile
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
-MARKED = re.compile(r"(<!-- (lobes|profiles of bps|prices|hls|forms|shells|faults) -->\n)(.*?)(<!-- end -->\n)", re.DOTALL)
+MARKED = re.compile(r"(<!-- (lobes|profiles of bps|prices|hls|forms|shells|errors|parts|blocks|faults) -->\n)(.*?)(<!-- end -->\n)", re.DOTALL)
 
 
 def data(name):
@@ -147,6 +148,48 @@ def shells(_):
     return [["unit", "LUTs: without, with", "registers", "clocks", "MHz"], ["---", "--:", "--:", "--:", "--:"], *rows]
 
 
+def cheapest(most):
+    """Of each error in grid.json, largest first: the format with the fewest LUTs among those of at most so many block RAMs."""
+    grids = json.loads((ROOT / "cost/data/grid.json").read_text())["grids"]
+    for grid in sorted((g for g in grids if "max_error" in g and g["device"] == "hx8k"), key=lambda g: -g["max_error"]):
+        formats = [form for form in grid["formats"] if form["brams"] <= most]
+        yield grid["max_error"], min(formats, key=lambda form: form["luts"]) if formats else None
+
+
+def errors(_):
+    rows = {}
+    for most in (4, 8, 16, 32):
+        for error_below, form in cheapest(most):
+            row = rows.setdefault(error_below, [f"1/{1 / error_below:.0f}"])
+            row.append(f"{form['luts']}, {form['brams']}" if form else "-")
+    return [["error below", *(f"at most {most} block RAMs" for most in (4, 8, 16, 32))], ["--:"] * 5, *rows.values()]
+
+
+def parts(_):
+    keys = ["handshake", "shift", "products", "rest"]
+    points = json.loads((ROOT / "cost/data/parts.json").read_text())["points"]
+    whole = {form["profile"]: (below, form) for below, form in cheapest(8) if form}
+    rows = []
+    for point in points:
+        below, form = whole[point["profile"]]
+        rows.append([f"1/{1 / below:.0f}", f"`{point['profile']}`", str(form["luts"]), str(form["brams"]),
+                     *(str(point[key] + (point["delays"] if key == "rest" else 0)) for key in keys)])
+    return [["error below", "format", "LUTs", "block RAMs", *keys], ["--:", "---", *["--:"] * 6], *rows]
+
+
+def blocks(_):
+    points = {(p["lobe"], p["profile"], p["architecture"], p["device"], p["dsp"]): p for p in data("fpga.json")}
+    rows = []
+    for (lobe, profile, architecture, device, dsp), block in points.items():
+        if ":block" not in architecture:
+            continue
+        plain = points[(lobe, profile, architecture.replace(":block", ""), device, dsp)]
+        rows.append([f"`{lobe}` {profile}, {architecture}, {device}{', DSPs' if dsp else ''}",
+                     *(f"{plain[key]}, {block[key]}" for key in ("luts", "registers", "brams")),
+                     f"{plain['clock_mhz']:.0f}, {block['clock_mhz']:.0f}"])
+    return [["unit", "LUTs: without, with", "registers", "block RAMs", "MHz"], ["---", "--:", "--:", "--:", "--:"], *rows]
+
+
 def faults(_):
     kinds = {"data": "data: the bits of numbers", "control": "control: valid, ready, enables, choices", "reset": "reset",
              "table": "words of tables", "parameter": "parameters of instances"}
@@ -168,7 +211,7 @@ def main():
     parser.add_argument("--write", action="store_true")
     options = parser.parse_args()
     documents = {"README.md": {"lobes": lobes, "profiles of bps": lambda _: profiles(options.glint), "prices": prices},
-                 "hls/README.md": {"hls": hls, "forms": forms}, "docs/cost.md": {"shells": shells},
+                 "hls/README.md": {"hls": hls, "forms": forms}, "docs/cost.md": {"shells": shells, "blocks": blocks, "errors": errors, "parts": parts},
                  "docs/evidence.md": {"faults": faults}}
     for name, makers in documents.items():
         text = (ROOT / name).read_text()

@@ -12,12 +12,16 @@ from pathlib import Path
 from icarus import Failed
 from replay import replay
 
-# With and without a row for each n; tables that share a block memory of ECP5, and a table of both its ports.
+# With and without a row for each n; tables that share a block memory of ECP5, and a table of both its ports; tables that
+# ask for block memory.
 FORMS = (
     ("decay", "p8", "pipelined:deep"),
     ("decay", "16,4,8,8,4,1,4,0,9", "pipelined:deep:m3"),
     ("decay", "p8", "pipelined:deep:m2:ecp5"),
     ("decay", "p12", "pipelined:deep:m2:ecp5"),
+    ("blinn_phong", "p12", "pipelined:block"),
+    ("gauss", "p12", "pipelined:block:m2"),
+    ("spherical_gaussian", "p12", "pipelined:block:ecp5"),
 )
 
 

@@ -17,6 +17,7 @@ struct Architecture {
     /// and REGISTER_EVERY for a lobe with a divider, MULTIPLIER_STAGES for all, DEEP (0 or 1) where the lobe has it.
     std::vector<std::pair<std::string, int>> parameters;
     std::string family = {};  ///< devices whose own blocks it is built of, a name of families(); empty: any device
+    bool block = false;       ///< its tables ask for block memory
 
     /// The value of a parameter; `otherwise` where the architecture has none of that name.
     int parameter(std::string_view name_of_it, int otherwise) const;
@@ -25,13 +26,14 @@ struct Architecture {
 };
 
 /// For a lobe with a divider "DIVIDER[:rN][:mN][:FAMILY]" with DIVIDER one of restoring, radix4, iterative, reciprocal;
-/// for others "pipelined[:deep][:mN][:FAMILY]". rN, of restoring and radix4: a register after every N rows of the
-/// divider, 1 to 32; mN: a product takes N clocks, 1 to 4. Both are 1 where they are left out. deep, of `decay`: a
-/// register after each step of glint_normalise, and one more after each table. FAMILY: ecp5 or up5k. Throws Error.
+/// for others "pipelined[:deep][:block][:mN][:FAMILY]". rN, of restoring and radix4: a register after every N rows of
+/// the divider, 1 to 32; mN: a product takes N clocks, 1 to 4. Both are 1 where they are left out. deep, of `decay`: a
+/// register after each step of glint_normalise, and one more after each table. block, where Lobe::block is: the tables
+/// ask for block memory, which a tool does not give to small ones of its own. FAMILY: ecp5 or up5k. Throws Error.
 Architecture parse_architecture(const Lobe& lobe, std::string_view text);
 
-/// For the unit of an effect "default[:mN][:FAMILY]", with mN where it has the parameter MULTIPLIER_STAGES; its name is
-/// empty where nothing is as in the default. Throws Error.
+/// For the unit of an effect "default[:block][:mN][:FAMILY]", with block where it has tables, mN where it has the
+/// parameter MULTIPLIER_STAGES; its name is empty where nothing is as in the default. Throws Error.
 Architecture parse_architecture(const HardwareUnit& unit, std::string_view text);
 
 /// "restoring", or "pipelined" for a lobe without a divider.

@@ -29,6 +29,10 @@ Sidebands parse_sidebands(std::string_view list);
 /// What Lobe::emit or Effect::emit gave, and behind its unit, the first file, the AXI4-Stream unit around it.
 std::vector<GeneratedFile> with_axi_stream(std::vector<GeneratedFile> files, const Sidebands& sidebands = {});
 
+/// The tables of these units in block memory: other modules in their place, glint_table_..._block, which ask for it by
+/// the attribute rom_style. The same ports, bits and clocks.
+void use_block_tables(std::vector<GeneratedFile>& files);
+
 /// The Verilog that is committed in rtl/generated: the units of all lobes and effects at the shipped profiles, effects
 /// made of a lobe with the first one, AXI4-Stream units at p12; and what they are made of. Each file once.
 std::vector<GeneratedFile> committed_verilog();

@@ -85,7 +85,9 @@ Lobe blinn_phong_lobe() {
             blinn_phong_hard_cases,
             {},
             false,
-            exp_log::shipped_numbers};
+            exp_log::shipped_numbers,
+            false,
+            true};
 }
 
 }  // namespace glint

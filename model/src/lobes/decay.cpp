@@ -196,6 +196,7 @@ Lobe decay_lobe() {
             false,
             own_numbers,
             true,
+            false,
             2.0,
             decay_bound};
 }

@@ -118,7 +118,9 @@ Lobe gauss_lobe() {
             gauss_hard_cases,
             {},
             false,
-            exp_log::shipped_numbers};
+            exp_log::shipped_numbers,
+            false,
+            true};
 }
 
 }  // namespace glint

@@ -193,9 +193,12 @@ std::vector<GeneratedFile> generated_sources(std::string_view lobe, const Profil
     describe(*unit.unit, numbers, tables, architecture);
     const HardwareUnit::Parameter logic{"LOGIC", "0", "0, 1", "1: the tables stay out of block memory"};
     if (is_chosen(tables)) unit.unit->parameters.push_back(logic);
-    return with_tables({std::move(unit), constants_header(kernel(lobe, profile), profile, hls_constants, tables),
-                        top_function(kernel(lobe, profile), profile)},
-                       tables, architecture);
+    std::vector<GeneratedFile> out =
+        with_tables({std::move(unit), constants_header(kernel(lobe, profile), profile, hls_constants, tables),
+                     top_function(kernel(lobe, profile), profile)},
+                    tables, architecture);
+    if (architecture.block) use_block_tables(out);
+    return out;
 }
 
 GeneratedFile gappa_script(std::string_view lobe, const Profile& profile, std::string_view format,

@@ -110,7 +110,9 @@ Lobe spherical_gaussian_lobe() {
             spherical_gaussian_hard_cases,
             {},
             false,
-            spherical_gaussian_numbers};
+            spherical_gaussian_numbers,
+            false,
+            true};
 }
 
 }  // namespace glint

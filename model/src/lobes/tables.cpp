@@ -364,6 +364,35 @@ TableText table_text(const std::vector<Table>& tables, const Architecture& archi
     return out;
 }
 
+void use_block_tables(std::vector<GeneratedFile>& files) {
+    constexpr std::string_view read = "if (enable_i) case (address_i)";  // of plain_module
+    constexpr std::string_view asked = "if (enable_i) (* rom_style = \"block\" *) case (address_i)";
+    const auto replace = [](std::string& text, const std::string& old, const std::string& with) {
+        for (std::size_t at = 0; (at = text.find(old, at)) != std::string::npos; at += with.size())
+            text.replace(at, old.size(), with);
+    };
+    std::vector<std::string> modules;
+    for (GeneratedFile& file : files) {
+        const std::size_t at = file.text.find(read);
+        if (!file.name.starts_with("glint_table_") || at == std::string::npos) continue;
+        file.text.replace(at, read.size(), asked);
+        modules.push_back(file.name.substr(0, file.name.size() - 2));
+    }
+    for (const std::string& module : modules) {
+        const std::string block = module + "_block";
+        for (GeneratedFile& file : files) {
+            if (file.name == module + ".v") file.name = block + ".v";
+            replace(file.text, module + ' ', block + ' ');
+            replace(file.text, module + ':', block + ':');
+            if (!file.unit) continue;
+            for (HardwareUnit::File& part : file.unit->files) replace(part.name, module + ".v", block + ".v");
+            for (HardwareUnit::Memory& table : file.unit->tables) {
+                if (table.module == module) table.module = block;
+            }
+        }
+    }
+}
+
 void describe(HardwareUnit& unit, const std::vector<Constant>& parameters, const std::vector<Table>& tables,
               const Architecture& architecture) {
     for (const Constant& parameter : parameters) unit.numbers.emplace_back(parameter.name, parameter.value);
