@@ -123,8 +123,7 @@ void add_cost(CLI::App& app, Chosen& chosen) {
     o->units = {
         command->add_option("--lobe", o->lobe, "Lobes, or all; with --fpga also table: a rival, c^n in block RAM"),
         command->add_option("--effect", o->effect, "Effects instead of lobes, or all (made of --lobe; default bps)"),
-        command->add_option("--mask", o->mask,
-                            "Of shade and pixel: values of MASK; default: a list (docs/cost.md)"),
+        command->add_option("--mask", o->mask, "Of shade and pixel: values of MASK; default: a list (docs/cost.md)"),
         command->add_option("--profile", o->profile, "Profiles: p8, p12, p16 or the lobe's F,..,O"),
         command->add_option("--device", o->device, "hx8k (default), up5k, ecp5-25k, ecp5-85k, xc7; table: all"),
     };
