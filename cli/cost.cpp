@@ -158,7 +158,7 @@ void add_cost(CLI::App& app, Chosen& chosen) {
         command
             ->add_option("--max-error", grid.max_error,
                          "--grid: the cheapest formats of decay for an error against c^n")
-            ->check(CLI::Range(1e-5, 0.5))
+            ->check(CLI::Range(1e-4, 0.5))
             ->option_text("FLOAT"),
     };
     command->add_option("--rtl", on_fpga.rtl, "Folder of the Verilog")->capture_default_str();

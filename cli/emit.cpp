@@ -1,6 +1,7 @@
 #include "glint/emit.hpp"
 
 #include <iterator>
+#include <optional>
 #include <set>
 
 #include <fmt/format.h>
@@ -21,6 +22,7 @@ struct Options {
     std::string profile = "p12";
     std::string architecture;
     std::string sidebands;
+    std::optional<int> lanes;
     std::string target = "all";
     std::string folder = ".";
     bool committed = false;
@@ -109,6 +111,10 @@ int run_emit(const Options& options) {
         std::move(more.begin(), more.end(), std::back_inserter(files));
     };
     const Sidebands sidebands = parse_sidebands(options.sidebands);
+    const auto axi_stream = [&](std::vector<GeneratedFile> unit) {
+        unit = with_axi_stream(std::move(unit), sidebands);
+        return options.lanes ? with_lanes(std::move(unit), *options.lanes) : unit;
+    };
     if (!options.effect.empty()) {
         const Effect& effect = find_effect(options.effect);
         for (const std::string& text : io::split_profiles(options.profile)) {
@@ -121,7 +127,7 @@ int run_emit(const Options& options) {
                 use_family(*unit.front().unit, architecture.family);
                 if (architecture.block) use_block_tables(unit);
             }
-            add(with_axi_stream(std::move(unit), sidebands));
+            add(axi_stream(std::move(unit)));
         }
         write(files, options);
         return io::success;
@@ -132,7 +138,7 @@ int run_emit(const Options& options) {
         options.architecture.empty() ? default_architecture(lobe) : parse_architecture(lobe, options.architecture);
     const std::vector<std::string> profiles = io::split_profiles(options.profile);
     for (const std::string& text : profiles) {
-        add(with_axi_stream(lobe.emit(choice.profile(text), architecture), sidebands));
+        add(axi_stream(lobe.emit(choice.profile(text), architecture)));
     }
     write(files, options);
     for (const std::string& text : profiles) {
@@ -158,6 +164,8 @@ void add_emit(CLI::App& app, Chosen& chosen) {
                         "How the Verilog is built: iterative, radix4:r2, ... (docs/rtl.md)");
     command->add_option("--sidebands", options->sidebands,
                         "More ports of the AXI4-Stream unit: keep, id, dest (docs/rtl.md)");
+    command->add_option("--lanes", options->lanes,
+                        "Also so many AXI4-Stream units side by side as one, 2 to 64 (docs/rtl.md)");
     command->add_option("--target", options->target, "verilog, hls, proof or all")->capture_default_str();
     command->add_option("-o,--output", options->folder, "Folder")->capture_default_str();
     command->add_flag("--committed", options->committed, "Instead all that is generated in rtl/ (-o rtl): docs/rtl.md");

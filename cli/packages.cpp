@@ -43,7 +43,7 @@ std::string targets(const HardwareUnit& unit) {
       yosys: {{arch: xilinx, output_format: json}}
 )",
                                   unit.name);
-    if (!unit.kind.starts_with("lobe")) return out;
+    if (unit.kind != "lobe" && unit.kind != "lobe_axis") return out;
     const bool axis = unit.kind == "lobe_axis";
     return out + fmt::format(R"(  sim:
     filesets: [rtl, bench]

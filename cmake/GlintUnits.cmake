@@ -137,7 +137,8 @@ endfunction()
 # glint_lobe_units(out prefix rtl lobes profiles units architectures): the units of lobes. The AXI4-Stream form is one
 # module around any core: it is there at every profile for the first lobe, at the first profile for the others.
 # Architectures other than the default one (restoring, pipelined) are there as core only: at two profiles for the first
-# lobe, at one for the others. The unit axis32 is an AXI4-Stream unit of words of 32 bits, with all sidebands.
+# lobe, at one for the others. The unit axis32 is an AXI4-Stream unit of words of 32 bits, with all sidebands; the unit lanes
+# has three of it side by side.
 function(glint_lobe_units out prefix rtl lobes profiles units architectures)
   set(targets "")
   set(fewer ${profiles})
@@ -155,7 +156,7 @@ function(glint_lobe_units out prefix rtl lobes profiles units architectures)
       foreach(unit IN LISTS units)
         set(infix "")
         set(form "")
-        if(unit MATCHES "^axis")
+        if(unit MATCHES "^(axis|lanes)")
           set(infix _axis)
           if(NOT profile IN_LIST axis_profiles)
             continue()
@@ -168,9 +169,13 @@ function(glint_lobe_units out prefix rtl lobes profiles units architectures)
           set(emit --lobe ${lobe} --profile ${profile})
           glint_unit_json(alike glint_${lobe}${infix}_p12)
         endif()
-        if(unit STREQUAL axis32)
+        if(unit MATCHES "^(axis32|lanes)$")
           set(emit --lobe ${lobe} --profile ${profile} --sidebands keep,id,dest)
           set(form -GWORD_W=32 -GID_W=5)
+          if(unit STREQUAL lanes)
+            set(module glint_${lobe}_lanes_${name})
+            list(APPEND emit --lanes 3)
+          endif()
         endif()
         if(alike STREQUAL "")
           message(FATAL_ERROR "rtl/units.json has no unit of the lobe ${lobe}; `glint emit --manifest -o rtl` writes it")

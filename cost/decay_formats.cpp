@@ -21,7 +21,7 @@ int block_rams(int rows, int bits, bool ice40) {
     return least;
 }
 
-/// Fitted to units without DSPs on the HX8K: those of cost/data/fpga.json are within 5 %. A product of a and b bits
+/// Fitted to units without DSPs on the HX8K: those of cost/data/fpga.json are within 8 %. A product of a and b bits
 /// takes a LUT and more for each of its a b bits, but for its first row and its last places.
 constexpr double luts_around = 100.0, luts_of_long_cosine = 25.0, luts_of_n = 37.0;
 constexpr double luts_of_bit = 3.27, luts_of_row = 3.46;
@@ -49,18 +49,21 @@ DecayFormat priced(const std::vector<int>& x, const fpga::Device& device, bool d
     return out;
 }
 
+/// Of M and V: DecayBounds.
+constexpr int most_of_proof = 18;
+
 /// Every format that may do, and that the device holds.
 std::vector<DecayFormat> all_formats(const fpga::Device& device, bool dsp, double max_error, int F_asked) {
     std::vector<DecayFormat> out;
     const auto bits = static_cast<int>(std::floor(-std::log2(max_error)));
     for (int F = F_asked != 0 ? F_asked : 16; F <= (F_asked != 0 ? F_asked : 18); ++F) {
         const int E = static_cast<int>(std::bit_width(static_cast<unsigned>(F - 1)));
-        const int longest = std::min(F - 1, bits + 4);
+        const int longest = std::min({F - 1, bits + 4, most_of_proof});
         for (int O = std::max(4, bits); O <= std::min(F, bits + 4); ++O)
             for (int A = 1; A <= 7; ++A)
                 for (int M = std::max(A + 1, bits - 3); M <= longest; ++M)
                     for (int H = 1; H <= 8; ++H)
-                        for (int V = std::max({A + 1, H + 1, bits - 2}); V <= bits + 4; ++V)
+                        for (int V = std::max({A + 1, H + 1, bits - 2}); V <= std::min(bits + 4, most_of_proof); ++V)
                             for (int G = std::max(0, H + 3 - O); G <= 3; ++G)
                                 for (int W = 3; W <= E; ++W)
                                     for (const int n : {0, 1}) {

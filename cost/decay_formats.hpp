@@ -23,7 +23,7 @@ struct DecaySearch {
 };
 
 /// The formats, at most `most`, whose error is below `max_error`: of one F where it is not 0, else of 16, 17 and 18.
-/// `dsp`: products are made of DSPs, where the device has them. Legal: 2^-20 < max_error < 1.
+/// `dsp`: products are made of DSPs, where the device has them. Legal: 1e-4 <= max_error <= 0.5.
 DecaySearch find_decay_formats(const fpga::Device& device, bool dsp, double max_error, int F, int most);
 
 }  // namespace glint::cost

@@ -58,8 +58,8 @@ struct StreamPins {
 
 /// Ports of an AXI4-Stream unit. A word of 32 bits holds each number; where `Packed`, one holds them all (docs/rtl.md).
 /// tuser carries the tag; the other sidebands and tlast bits of a mix of it, so that neither a stuck nor a shifted one
-/// goes unseen.
-template <std::size_t Inputs, std::size_t Outputs, bool Packed, bool Sidebands>
+/// goes unseen. Of `Lanes` side by side, one after the other gets the input and shows the result; the others get junk.
+template <std::size_t Inputs, std::size_t Outputs, bool Packed, bool Sidebands, std::size_t Lanes>
 struct AxisPins {
     static constexpr std::size_t inputs = Inputs, outputs = Outputs;
     static constexpr int reset_latency = 1;  ///< every output is a register
@@ -76,6 +76,9 @@ struct AxisPins {
         if (!Sidebands) return packed(tag & 0xffffU, last(tag), 0, 0, 0);
         return packed(tag & 0xffffU, last(tag), kept(tag) * 0xf, id(tag), dest(tag));
     }
+
+    static constexpr std::size_t lane(std::uint32_t tag) { return (tag & 0xffffU) % Lanes; }
+    static constexpr std::size_t words_in = Packed ? 1 : Inputs;  ///< of a lane
 
     /// The k-th 32 bits of a port.
     template <class Pin>
@@ -108,20 +111,29 @@ struct AxisPins {
                       std::uint32_t tag) {
         // The bits between the fields are ignored by contract: fill them with what would show if they were not.
         const std::uint32_t junk = tag * 0x85eb'ca6bU;
+        if constexpr (Lanes > 1) {
+            for (std::size_t k = 0; k < Lanes * words_in; ++k) {
+                set_word(m.s_axis_tdata, k, junk * static_cast<std::uint32_t>(2 * k + 3));
+            }
+        }
         if constexpr (Packed) {  // n and cos
             const std::uint32_t fields = static_cast<std::uint32_t>(in[0][i]) | static_cast<std::uint32_t>(in[1][i])
                                                                                     << 10;
             const std::uint32_t used = mask[0] | mask[1] << 10;
-            m.s_axis_tdata = (fields & used) | (junk & ~used);
+            set_word(m.s_axis_tdata, lane(tag), (fields & used) | (junk & ~used));
         } else {
             for (std::size_t k = 0; k < Inputs; ++k) {
-                set_word(m.s_axis_tdata, k, (static_cast<std::uint32_t>(in[k][i]) & mask[k]) | (junk & ~mask[k]));
+                set_word(m.s_axis_tdata, lane(tag) * Inputs + k,
+                         (static_cast<std::uint32_t>(in[k][i]) & mask[k]) | (junk & ~mask[k]));
             }
         }
         m.s_axis_tuser = static_cast<std::uint16_t>(tag);
         m.s_axis_tlast = last(tag) != 0;
         if constexpr (Sidebands) {
-            m.s_axis_tkeep = static_cast<std::uint8_t>(kept(tag) << (junk >> 30));
+            // A byte of the lane's word, or none; the other lanes have theirs.
+            const std::uint32_t own = 0xfU << 4 * lane(tag);
+            m.s_axis_tkeep = static_cast<std::remove_reference_t<decltype(m.s_axis_tkeep)>>(
+                (kept(tag) << (junk >> 30) << 4 * lane(tag)) | (Lanes > 1 ? junk >> 8 & ~own : 0));
             m.s_axis_tid = static_cast<std::uint8_t>(id(tag));
             m.s_axis_tdest = static_cast<std::uint8_t>(dest(tag));
         }
@@ -144,12 +156,18 @@ struct AxisPins {
     }
     template <class Model>
     static bool clamped(const Model& m) {
-        return word(m.m_axis_tdata, 0) >> 31;
+        return result(m, 0) >> 31;
+    }
+    /// The k-th word of the result.
+    template <class Model>
+    static std::uint32_t result(const Model& m, std::size_t k) {
+        return word(m.m_axis_tdata, lane(m.m_axis_tuser) * Outputs + k);
     }
     template <class Model>
     static std::uint32_t output_tag(const Model& m) {
         if constexpr (Sidebands) {
-            return packed(m.m_axis_tuser, m.m_axis_tlast, m.m_axis_tkeep, m.m_axis_tid, m.m_axis_tdest);
+            const std::uint32_t keep = m.m_axis_tkeep >> 4 * lane(m.m_axis_tuser) & 0xf;
+            return packed(m.m_axis_tuser, m.m_axis_tlast, keep, m.m_axis_tid, m.m_axis_tdest);
         } else {
             return packed(m.m_axis_tuser, m.m_axis_tlast, 0, 0, 0);
         }

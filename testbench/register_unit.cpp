@@ -48,13 +48,14 @@ struct Pins : StreamPins {
     }
 };
 #else
-constexpr bool is_axis32 = std::string_view(GLINT_UNIT) == "axis32";
-struct Pins : AxisPins<inputs_of_unit, outputs_of_unit, is_axis32, is_axis32> {
+constexpr bool has_lanes = std::string_view(GLINT_UNIT) == "lanes";
+constexpr bool is_packed = has_lanes || std::string_view(GLINT_UNIT) == "axis32";
+struct Pins : AxisPins<inputs_of_unit, outputs_of_unit, is_packed, is_packed, has_lanes ? 3 : 1> {
     template <class Model>
     static void output(const Model& m, std::int32_t* values) {
         std::size_t k = 0;
-#define GLINT_PIN(name) values[k] = static_cast<std::int32_t>(word(m.m_axis_tdata, k) & 0x7fff'ffffU), ++k;
-#define GLINT_SIGNED_PIN(name, bits) values[k] = sign_extended(word(m.m_axis_tdata, k), bits), ++k;
+#define GLINT_PIN(name) values[k] = static_cast<std::int32_t>(result(m, k) & 0x7fff'ffffU), ++k;
+#define GLINT_SIGNED_PIN(name, bits) values[k] = sign_extended(result(m, k), bits), ++k;
         GLINT_OUTPUTS
 #undef GLINT_PIN
 #undef GLINT_SIGNED_PIN

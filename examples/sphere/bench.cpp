@@ -1,9 +1,9 @@
 // The sphere's Verilog against its golden model, clock by clock: every pixel of every picture, and the marks between
 // them.
 //
-// `bench PICTURES [FOLDER]`: as many pictures, the buttons pressed in between; each goes to FOLDER/sphereN.png.
-// README.md says how it is built: with SPHERE_DVI the module is sphere_dvi, whose bits are decoded, too; else sphere
-// with 4 bits a colour.
+// `bench PICTURES [FOLDER]`: as many pictures, the buttons pressed in between; each goes to FOLDER/sphereN.png. make.sh
+// builds it: with SPHERE_DVI the module is sphere_dvi, whose bits are decoded, too; else sphere with 4 bits a colour.
+// SPHERE_FULL says which sphere_pixel is in it.
 #include <png.h>
 
 #include <cstdio>
@@ -19,6 +19,11 @@
 
 namespace {
 
+#ifdef SPHERE_FULL
+constexpr sphere::Shading shading = sphere::Shading::full;
+#else
+constexpr sphere::Shading shading = sphere::Shading::small;
+#endif
 #ifdef SPHERE_DVI
 constexpr int bits = 8;
 #else
@@ -201,7 +206,7 @@ private:
     int pictures_;
     VerilatedContext context_;
     Vtop top_{&context_};
-    sphere::Golden golden_{"examples/sphere/materials.hex", bits};
+    sphere::Golden golden_{"examples/sphere/materials.hex", shading, bits};
     Receiver receiver_;
     std::deque<sphere::Output> sent_;
     bool started_ = false;

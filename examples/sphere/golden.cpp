@@ -21,8 +21,8 @@ int floor_sqrt(int x) {
     return root;
 }
 
-glint_model* open(const char* effect) {
-    glint_model* model = glint_open_effect(effect, "p8", "decay");
+glint_model* open(const char* effect, const char* profile, const char* lobe) {
+    glint_model* model = glint_open_effect(effect, profile, lobe);
     if (model == nullptr) throw std::runtime_error(glint_error());
     return model;
 }
@@ -50,8 +50,13 @@ Channels colour(const std::string& digits) {
 
 }  // namespace
 
-Golden::Golden(const std::string& materials, int bits)
-    : bits_(bits), lambert_(open("lambert")), blinn_phong_(open("blinn_phong")), tint_(open("tint")) {
+Golden::Golden(const std::string& materials, Shading shading, int bits)
+    : shading_(shading),
+      bits_(bits),
+      lambert_(open("lambert", "p8", "decay")),
+      blinn_phong_(open("blinn_phong", "p8", "decay")),
+      tint_(open("tint", "p8", "decay")),
+      pixel_(open("pixel", "p12", "bps")) {
     std::ifstream file(materials);
     std::string line;
     std::size_t count = 0;
@@ -65,7 +70,7 @@ Golden::Golden(const std::string& materials, int bits)
 }
 
 Golden::~Golden() {
-    for (glint_model* model : {lambert_, blinn_phong_, tint_}) glint_close(model);
+    for (glint_model* model : {lambert_, blinn_phong_, tint_, pixel_}) glint_close(model);
 }
 
 bool Golden::dark(int x, int y, int z) const {
@@ -79,7 +84,8 @@ bool Golden::dark(int x, int y, int z) const {
     return sector != band;
 }
 
-std::array<std::int64_t, 3> Golden::lit(int x, int y, int z) const {
+std::array<int, 3> Golden::lit(int x, int y, int z) const {
+    if (shading_ == Shading::full) return lit_full(x, y, z);
     const Material& material = materials_[std::size_t(material_)];
     const std::int64_t w = 5 * ((light_.x() >> 2) * x + (light_.y() >> 2) * y) + 448 * z;
     const std::int64_t nh = rnd(w, 8), nl = rnd(7 * w - 2048 * z, 10);
@@ -89,8 +95,28 @@ std::array<std::int64_t, 3> Golden::lit(int x, int y, int z) const {
     const Channels& ks = material.highlight;
     const Channels a = eval<7, 3>(tint_, {diffuse, kd[0], kd[1], kd[2], 256, 256, 256});
     const Channels b = eval<7, 3>(tint_, {highlight, ks[0], ks[1], ks[2], 256, 256, 256});
-    Channels out{};
-    for (std::size_t i = 0; i < 3; ++i) out[i] = std::min<std::int64_t>(255, a[i] + b[i]);
+    std::array<int, 3> out{};
+    for (std::size_t i = 0; i < 3; ++i) out[i] = 256 * int(std::min<std::int64_t>(255, a[i] + b[i]));
+    return out;
+}
+
+std::array<int, 3> Golden::lit_full(int x, int y, int z) const {
+    const Material& material = materials_[std::size_t(material_)];
+    const Channels& kd = dark(x, y, z) ? material.dark : material.light;
+    const Channels& ks = material.highlight;
+    constexpr std::size_t inputs = 46, colours = 31;  // the ports: docs/effects/pixel.md
+    std::array<std::int64_t, inputs> in{};
+    const std::int64_t first[] = {
+        1 + 2 + 8, 7 * light_.x() >> 2, 7 * light_.y() >> 2, 17408, 0, 0, 32767, 80 * x, 80 * y, z};
+    std::copy(std::begin(first), std::end(first), in.begin());
+    in[16] = material.n;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const std::int64_t channel[] = {16 * kd[i], 256, 16 * kd[i], 16 * ks[i], 4096};  // ka, ia, kd, ks, i
+        for (std::size_t k = 0; k < 5; ++k) in[colours + 3 * k + i] = channel[k];
+    }
+    const Channels rgb = eval<inputs, 3>(pixel_, in);
+    std::array<int, 3> out{};
+    for (std::size_t i = 0; i < 3; ++i) out[i] = 16 * int(std::min<std::int64_t>(4095, rgb[i]));
     return out;
 }
 
@@ -102,8 +128,8 @@ Output Golden::at(int h, int v) const {
     if (!out.visible) return out;
     const int x = 2 * h - 639, y = 479 - 2 * v;
     const int rest = (1 << 22) - 25 * (x * x + y * y);
-    const Channels linear = rest < 0 ? Channels{2, 3, 5} : lit(x, y, floor_sqrt(rest << 8));
-    for (std::size_t i = 0; i < 3; ++i) out.colour[i] = floor_sqrt(int(linear[i]) << 8) >> (8 - bits_);
+    const std::array<int, 3> linear = rest < 0 ? std::array{512, 768, 1280} : lit(x, y, floor_sqrt(rest << 8));
+    for (std::size_t i = 0; i < 3; ++i) out.colour[i] = floor_sqrt(linear[i]) >> (8 - bits_);
     return out;
 }
 

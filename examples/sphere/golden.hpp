@@ -41,10 +41,13 @@ private:
     int shift_, x_, y_;
 };
 
+/// Which sphere_pixel: glint_effect_pixel at p12, or lambert, blinn_phong and tint at p8.
+enum class Shading { full, small };
+
 class Golden {
 public:
     /// `materials` is the file materials.hex, `bits` those of a colour. Throws std::runtime_error.
-    Golden(const std::string& materials, int bits);
+    Golden(const std::string& materials, Shading shading, int bits);
     ~Golden();
     Golden(const Golden&) = delete;
     Golden& operator=(const Golden&) = delete;
@@ -60,11 +63,14 @@ private:
         std::array<std::int64_t, 3> light{}, dark{}, highlight{};  ///< red, green, blue; code / 2^8
     };
     bool dark(int x, int y, int z) const;
-    std::array<std::int64_t, 3> lit(int x, int y, int z) const;
+    /// Red, green, blue of a point of the sphere, linear, code / 2^16.
+    std::array<int, 3> lit(int x, int y, int z) const;
+    std::array<int, 3> lit_full(int x, int y, int z) const;
 
     std::array<Material, 4> materials_{};
+    Shading shading_;
     int bits_;
-    glint_model *lambert_, *blinn_phong_, *tint_;
+    glint_model *lambert_, *blinn_phong_, *tint_, *pixel_;
     Turn turn_{6, 32600, 0}, light_{7, -9973, 12337};
     int material_ = 0;
     bool pressed_ = false;

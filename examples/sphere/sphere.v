@@ -144,8 +144,8 @@ module sphere #(
         .sin_i (turn_sin[15:6]),
         .dark_o(dark)
     );
-    wire [7:0] r_lit, g_lit, b_lit;
-    wire       hit_lit, hsync_lit, vsync_lit, visible_lit;
+    wire [15:0] r_lit, g_lit, b_lit;
+    wire        hit_lit, hsync_lit, vsync_lit, visible_lit;
     sphere_pixel #(
         .TAG_W(4)
     ) pixel (
@@ -166,13 +166,13 @@ module sphere #(
     );
 
     // ---- to the screen: a square root, near the inverse of a screen's curve; a dark blue behind the sphere --------------
-    wire       [23:0] linear = hit_lit ? {b_lit, g_lit, r_lit} : {8'd5, 8'd3, 8'd2};
+    wire       [47:0] linear = hit_lit ? {b_lit, g_lit, r_lit} : {16'd1280, 16'd768, 16'd512};
     wire        [2:0] marks;
     wire [3*BITS-1:0] colour;
     genvar c;
     generate
         for (c = 0; c < 3; c = c + 1) begin : channel
-            wire [15:0] radicand = {linear[8*c+:8], 8'd0};
+            wire [15:0] radicand = linear[16*c+:16];
             wire        unused   = &{1'b0, radicand};
             glint_sqrt #(
                 .Y_W(BITS)

@@ -16,6 +16,25 @@ struct LogarithmOfQ : Constants {
     static constexpr int F = Constants::O + 13;
 };
 
+/// floor(x / D) for x < D 2^S, D > 0: the upper D_W bits of x are the first remainder, and a step takes in one of the S
+/// others.
+template <int S, int D_W>
+uint<S> divide_whole(uint<D_W + S> x, uint<D_W> D) {
+    uint<D_W> remainder = to_uint<D_W>(x >> S);
+    uint<S> quotient = 0;
+    GLINT_UNROLL
+    for (int step = 1; step <= S; ++step) {
+        GLINT_UNROLL_VITIS
+        const uint<1> next = to_uint<1>(x >> (S - step));
+        const uint<D_W + 2> doubled = to_uint<D_W + 2>(to_uint<D_W + 2>(to_uint<D_W + 2>(remainder) << 1) | next);
+        const uint<D_W + 2> left = to_uint<D_W + 2>(doubled - to_uint<D_W + 2>(D));
+        const bool fits = (left >> (D_W + 1)) == 0;
+        remainder = to_uint<D_W>(fits ? left : doubled);
+        quotient = to_uint<S>(to_uint<S>(quotient << 1) | to_uint<S>(fits));
+    }
+    return quotient;
+}
+
 /// t = falloff (1 - N.H^2) / N.H^2 at S bits, below 2^7; beyond: it is not.
 template <int S>
 struct Tangent {
@@ -29,9 +48,8 @@ Tangent<Constants::S> tangent(uint<Constants::F + 1> nh, uint<Constants::O + 10>
     constexpr int O = Constants::O;
     constexpr int S = Constants::S;
     constexpr int W = O + 14;
-    constexpr int PRODUCT_W = O + 10 + W;  // s is 2^W only where nh is 0, and then falloff 2^W fits, too
-    constexpr int DIVIDEND_W = PRODUCT_W + S - O;
-    constexpr int DIVISOR_W = W + 1 + S + 7;
+    constexpr int PRODUCT_W = O + 10 + W;      // s is 2^W only where nh is 0, and then falloff 2^W fits, too
+    constexpr int DIVIDEND_W = W + 1 + S + 7;  // where t is below 2^7
     const uint<2 * F + 1> one = to_uint<2 * F + 1>(uint<2 * F + 1>{1} << (2 * F));
     const uint<2 * F + 1> square = product_u<2 * F + 1>(nh, nh);
     const uint<W + 1> s = to_uint<W + 1>(to_uint<2 * F + 1>(one - square) >> (2 * F - W));
@@ -39,10 +57,9 @@ Tangent<Constants::S> tangent(uint<Constants::F + 1> nh, uint<Constants::O + 10>
     const uint<PRODUCT_W> product = product_u<PRODUCT_W>(falloff, s);
     Tangent<S> out;
     out.beyond = to_uint<W + 3>(product >> (O + 7)) >= e;
-    const uint<DIVIDEND_W> exact = to_uint<DIVIDEND_W>(to_uint<DIVIDEND_W>(product) << (S - O));
-    const uint<DIVISOR_W> dividend = out.beyond ? to_uint<DIVISOR_W>(0) : to_uint<DIVISOR_W>(exact);
-    const uint<DIVISOR_W> divisor = to_uint<DIVISOR_W>(to_uint<DIVISOR_W>(e) << (S + 7));
-    out.t = to_uint<S + 7>(divide<S + 7, DIVISOR_W>(dividend, divisor));
+    const uint<DIVIDEND_W> dividend = to_uint<DIVIDEND_W>(to_uint<DIVIDEND_W>(product) << (S - O));
+    const uint<S + 7> quotient = divide_whole<S + 7, W + 1>(dividend, e);
+    out.t = out.beyond ? to_uint<S + 7>(0) : quotient;
     return out;
 }
 

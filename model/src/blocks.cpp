@@ -62,6 +62,7 @@ const std::vector<Module>& modules() {
         {"glint_effect_shade",
          {"glint_delay", "glint_fifo", "glint_stream", "glint_shade_part", "glint_effect_ambient"}},
         {"glint_effect_pixel", {"glint_stream", "glint_wait", "glint_frame"}},
+        {"glint_effect_lobe_select", {"glint_fifo", "glint_stream"}},
     };
     return all;
 }

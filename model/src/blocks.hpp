@@ -73,6 +73,8 @@ inline Block scaled_power() { return (step() + parabola() + scaled_power_factor(
 inline Block axis() { return {"glint_axis", 2}; }
 /// Around the slowest term: the memories, the sum, the tint, the total.
 inline Block shade() { return {"glint_effect_shade", 10}; }
+/// Around the slowest lobe: the end of the line, the memory.
+inline Block lobe_select() { return {"glint_effect_lobe_select", 3}; }
 
 }  // namespace block
 

@@ -95,7 +95,7 @@ std::string modules(std::span<const HardwareUnit> units, const FileRoots& roots)
     std::map<std::string, std::vector<HardwareUnit::File>> found;
     for (const std::string_view name : shared_modules()) found.try_emplace(std::string(name), files_of(name));
     for (const HardwareUnit& unit : units) {
-        if (unit.kind.ends_with("_axis") || found.contains(unit.core)) continue;
+        if (unit.kind.ends_with("_axis") || unit.kind.ends_with("_lanes") || found.contains(unit.core)) continue;
         std::vector<HardwareUnit::File>& files = found[unit.core];
         std::copy_if(unit.files.begin(), unit.files.end(), std::back_inserter(files),
                      [](const HardwareUnit::File& file) { return !file.generated; });

@@ -47,6 +47,13 @@ SHADE = {
         ("light_of_another", "sums_right", "i_q <= i;", "i_q <= i_i;"),
     ],
 }
+LOBE_SELECT = [
+    ("one_too_many", "capacity", "rst_ni & ~held_q[LOG_DEPTH];", "rst_ni;"),
+    ("line_stands", "right", "line_q << PLACE_W | joining", "line_q | joining"),
+    ("joins_late", "right", "(CLOCKS[8*i+:8]-1)*PLACE_W+:PLACE_W] = joining", "(LATENCY-1)*PLACE_W+:PLACE_W] = joining"),
+    ("another_lobe", "right", "& {PLACE_W{unit_valid_i[i]}}", ""),
+    ("clamped_lost", "right", "{done_above | clamped, done_tag, y}", "{clamped, done_tag, y}"),
+]
 ITERATIVE = [
     ("second_item", "capacity", "room = ITERATIVE ? ~|valid_q[CLOCKS-2:0] : 1'b1;", "room = 1'b1;"),
     ("tag_of_another", "in_turn", "if (advance & load) begin\n                    negative_q",

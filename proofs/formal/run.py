@@ -51,7 +51,7 @@ def around_lobe(module):
 def declared_result(top, numbers):
     """RESULT_W and result: the outputs of an effect's unit but those of the handshake, side by side."""
     unit = next(unit for unit in UNITS.values() if unit["name"] == top or unit["core"]["module"] == top
-                and all(unit["core"]["parameters"][name] == str(value) for name, value in numbers.items()))
+                and all(unit["core"]["parameters"].get(name, str(value)) == str(value) for name, value in numbers.items()))
     ports = [port for port in unit["ports"] if port["direction"] == "output"
              and port["name"] not in ("valid_o", "ready_o", "tag_o", "clamped_o")]
     return (f"localparam RESULT_W = {sum(port['width'] for port in ports)};\n"

@@ -114,6 +114,9 @@ def tasks():
             out += [Task(f"{lobe}.{profile}", HANDSHAKE, unit, kind, {**numbers, "TAG_W": TAG_W}, "induction", 2),
                     Task(f"axis.{lobe}.{profile}", HANDSHAKE + "; operands and result kept",
                          wrapper, "axis", {**numbers, "USER_W": TAG_W}, "induction", 3)]
+        if any(parameter["name"] == "DEEP" for parameter in UNITS[f"glint_{lobe}_p12"]["parameters"]):
+            out.append(Task(f"{lobe}.deep.p12", HANDSHAKE, unit, kind, {**word_lengths(lobe, "p12"), "DEEP": 1, "TAG_W": TAG_W},
+                            "induction", 2))
         core = {**small, "TAG_W": 2}
         axis = {**small, "USER_W": 1}
         out += [Task(f"{lobe}.cover", "not vacuous", unit, kind, core, "cover", 60),
@@ -135,9 +138,10 @@ def tasks():
                     *planted(f"axis.{lobe}", wrapper, "axis", axis, 24, "glint_axis", bugs.AXIS),
                     *planted(f"axis.{lobe}", wrapper, "axis", axis, 24, wrapper, bugs.WRAPPER)]
     out += of_shade()
+    out += of_lobe_select()
     for effect in EFFECTS:
         out += of_axis(effect)
-    for effect in (e for e in EFFECTS if e not in ("shade", "pixel")):  # pixel is two of them in a row
+    for effect in (e for e in EFFECTS if e not in ("shade", "lobe_select", "pixel")):  # pixel is two of them in a row
         out += of_effect(effect)
     return out
 
@@ -174,6 +178,15 @@ def of_shade():
     for module, table in bugs.SHADE.items():
         out += planted(name, top, kind, small, 20, module, table)
     return out
+
+
+def of_lobe_select():
+    """The tasks of the effect lobe_select, with any units of the latencies that it was told."""
+    name, top, kind = "effect.lobe_select", "glint_effect_lobe_select", "lobe_select"
+    small = {"O": 2, "N": 3, "MASK": 5, "CLOCKS": 4 << 16 | 9 << 8 | 2, "LOG_DEPTH": 2, "TAG_W": 2}  # the second is not built
+    return [Task(f"{name}.order", HANDSHAKE + "; each result is that of its lobe", top, kind, small, "induction", 2),
+            Task(f"{name}.cover", "not vacuous", top, kind, small, "cover", 24),
+            *planted(name, top, kind, small, 24, top, bugs.LOBE_SELECT)]
 
 
 def of_effect(effect):

@@ -165,6 +165,7 @@ class Refusals(Case):
     def test_emit(self):
         self.refused("target 'vhdl' is not legal: verilog, hls, proof or all", "emit", "--target", "vhdl")
         self.refused("--sidebands 'strb' is not legal: keep, id, dest, separated by commas", "emit", "--sidebands", "id,strb")
+        self.refused("--lanes 1 is not legal: 2 to 64", "emit", "--lanes", "1")
         self.equal(self.files(), [])
 
 

@@ -7,7 +7,7 @@
 `<!-- lobes -->`: every lobe at p12, `<!-- profiles of bps -->`: what a sweep of all inputs finds, `<!-- prices -->`: the
 units that its rows name; `<!-- hls -->`: what Bambu made of every kernel, `<!-- forms -->`: of the forms of the divider;
 `<!-- shells -->`: units without and with the AXI4-Stream shell; `<!-- errors -->`: the cheapest formats of `decay` for an
-error, `<!-- parts -->`: what the parts of some of them take; `<!-- blocks -->`: units with tables in block memory; `<!-- faults -->`: the record of planted faults. The last column of the lobes and the first of
+error, `<!-- parts -->`: what the parts of some of them take; `<!-- blocks -->`: units with tables in block memory; `<!-- cpu -->`: `decay` on a processor; `<!-- faults -->`: the record of planted faults. The last column of the lobes and the first of
 the prices are kept: they are words.
 """
 
@@ -20,7 +20,7 @@ import tempfile
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
-MARKED = re.compile(r"(<!-- (lobes|profiles of bps|prices|hls|forms|shells|errors|parts|blocks|faults) -->\n)(.*?)(<!-- end -->\n)", re.DOTALL)
+MARKED = re.compile(r"(<!-- (lobes|profiles of bps|prices|hls|forms|shells|errors|parts|blocks|cpu|faults) -->\n)(.*?)(<!-- end -->\n)", re.DOTALL)
 
 
 def data(name):
@@ -180,14 +180,31 @@ def parts(_):
 def blocks(_):
     points = {(p["lobe"], p["profile"], p["architecture"], p["device"], p["dsp"]): p for p in data("fpga.json")}
     rows = []
-    for (lobe, profile, architecture, device, dsp), block in points.items():
+    points.update({(p["effect"], p["profile"], p.get("architecture", "default"), p["device"], p["dsp"]): p for p in data("effects.json")
+                   if "mask" not in p and "lobe" not in p})
+    for (name, profile, architecture, device, dsp), block in points.items():
         if ":block" not in architecture:
             continue
-        plain = points[(lobe, profile, architecture.replace(":block", ""), device, dsp)]
-        rows.append([f"`{lobe}` {profile}, {architecture}, {device}{', DSPs' if dsp else ''}",
+        plain = points[(name, profile, architecture.replace(":block", ""), device, dsp)]
+        clocks = [p["clock_mhz"] for p in (plain, block)]
+        rows.append([f"`{name}` {profile}, {architecture}, {device}{', DSPs' if dsp else ''}",
                      *(f"{plain[key]}, {block[key]}" for key in ("luts", "registers", "brams")),
-                     f"{plain['clock_mhz']:.0f}, {block['clock_mhz']:.0f}"])
+                     "-" if None in clocks else f"{clocks[0]:.0f}, {clocks[1]:.0f}"])
     return [["unit", "LUTs: without, with", "registers", "block RAMs", "MHz"], ["---", "--:", "--:", "--:", "--:"], *rows]
+
+
+def cpu(_):
+    """Of each form that glint-bench times: decay, and its ratio to bps in the same run."""
+    points = {(p["lobe"], p["type"], p.get("profile", ""), p["form"]): p for p in data("cpu-decay.json")}
+    rows = []
+    for (lobe, *form), point in points.items():
+        if lobe != "decay":
+            continue
+        other = points[("bps", *form)]
+        cells = ("-" if point[key] is None else f"{point[key]:.{digits}f}, {point[key] / other[key]:.2f}"
+                 for key, digits in (("throughput_ns", 1), ("latency_ns", 1), ("instructions", 0)))
+        rows.append([" ".join(filter(None, form)), *cells])
+    return [["`decay`", "ns a result, ratio to `bps`", "latency, ns", "instructions"], ["---", "--:", "--:", "--:"], *rows]
 
 
 def faults(_):
@@ -212,7 +229,7 @@ def main():
     options = parser.parse_args()
     documents = {"README.md": {"lobes": lobes, "profiles of bps": lambda _: profiles(options.glint), "prices": prices},
                  "hls/README.md": {"hls": hls, "forms": forms}, "docs/cost.md": {"shells": shells, "blocks": blocks, "errors": errors, "parts": parts},
-                 "docs/evidence.md": {"faults": faults}}
+                 "docs/cpu-cost.md": {"cpu": cpu}, "docs/evidence.md": {"faults": faults}}
     for name, makers in documents.items():
         text = (ROOT / name).read_text()
         made = MARKED.sub(lambda m: m[1] + table(makers[m[2]](m[3])) + m[4], text)

@@ -33,7 +33,7 @@ class Case(unittest.TestCase):
     def simulate(self, board, pictures):
         done = self.make("simulate", board, str(pictures))
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
-        words = " and as many words of DVI" if board == "ulx3s" else ""
+        words = " and as many words of DVI" if board.startswith("ulx3s") else ""
         self.assertEqual(done.stdout, f"{pictures} pictures, {pictures * 420000} clocks{words}: 0 differ\n")
         for number in range(pictures):
             png = (self.tree / f"build/sphere/{board}/sphere{number}.png").read_bytes()
@@ -42,30 +42,30 @@ class Case(unittest.TestCase):
 
 class Quick(Case):
     def test_a_picture(self):
-        self.simulate("ulx3s", 1)
+        self.simulate("ulx3s-85k", 1)
 
     def test_arguments(self):
-        for arguments in ((), ("simulate",), ("simulate", "ulx3s", "1", "2"), ("ulx3s", "12k"), ("icebreaker", "1")):
+        for arguments in ((), ("simulate",), ("simulate", "ulx3s-85k", "1", "2"), ("ulx3s-12k",), ("icebreaker", "1")):
             done = self.make(*arguments)
             self.assertEqual((done.returncode, done.stderr.count("\n")), (2, 1), done.stderr)
-        self.assertIn("make.sh ulx3s [25k|85k]", self.make("--help").stdout)
+        self.assertIn("ulx3s-85k, ulx3s-25k or icebreaker", self.make("--help").stdout)
 
 
 class Pictures(Case):
     def test_every_material(self):
-        self.simulate("ulx3s", 8)
-        self.simulate("icebreaker", 8)
+        for board in ("ulx3s-85k", "ulx3s-25k", "icebreaker"):
+            self.simulate(board, 8)
 
     def test_faults_are_found(self):
         # The turn, which starts with the second picture; the balance of DVI; one material of four.
-        for file, text, fault, pictures in (("sphere_turn.v", "x_q - (y_next", "x_q - (y_q", 3),
-                                            ("sphere_tmds.v", "wire              flip = even", "wire flip = 1'b1 | even", 1),
+        for file, text, fault, pictures in (("sphere_turn.v", "y_q + (x_q", "y_q - (x_q", 3),
+                                            ("ulx3s/sphere_tmds.v", "wire              flip = even", "wire flip = 1'b1 | even", 1),
                                             ("sphere_material.v", "{4'd0, digit[3]}", "{4'd0, &digit}", 3)):
             path = self.tree / "examples/sphere" / file
             whole = path.read_text()
             self.assertEqual(whole.count(text), 1, file)
             path.write_text(whole.replace(text, fault))
-            done = self.make("simulate", "ulx3s", str(pictures))
+            done = self.make("simulate", "ulx3s-25k", str(pictures))
             self.assertEqual(done.returncode, 1, f"{file}: {done.stdout}{done.stderr}")
             self.assertRegex(done.stderr, "bench: ", file)
             path.write_text(whole)
@@ -95,7 +95,8 @@ class Icebreaker(Board):
 class Ulx3s(Board):
     def test_bitstream(self):
         self.need("yosys", "nextpnr-ecp5", "ecppack")
-        self.bitstream(["25.00", "125.00"], "ulx3s")
+        for board in ("ulx3s-25k", "ulx3s-85k"):
+            self.bitstream(["25.00", "125.00"], board)
 
 
 if __name__ == "__main__":

@@ -205,6 +205,10 @@ def lint(tool, folders):
     for unit, mask in [*masks, *((pixel, mask) for mask in (3, 4, 10, 32, 64))]:
         silent(command(tool, unit["name"], unit["files"], {"MASK": mask if tool == "iverilog" else f"{bits}'d{mask}"}))
         modules += 1
+    for mask in (0, 1, 5, 2048):
+        select = units.units()["glint_effect_lobe_select_p12"]
+        silent(command(tool, select["name"], select["files"], {"MASK": mask if tool == "iverilog" else f"12'd{mask}"}))
+        modules += 1
     for file in RTL.rglob("*.v"):
         if file not in listed and file.stem not in MODULES:
             raise Failed(f"{file} is in no unit of rtl/units.json")

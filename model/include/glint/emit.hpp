@@ -29,6 +29,10 @@ Sidebands parse_sidebands(std::string_view list);
 /// What Lobe::emit or Effect::emit gave, and behind its unit, the first file, the AXI4-Stream unit around it.
 std::vector<GeneratedFile> with_axi_stream(std::vector<GeneratedFile> files, const Sidebands& sidebands = {});
 
+/// What with_axi_stream gave, and behind that unit one of so many of it side by side, 2 to 64 (docs/rtl.md, "Lanes").
+/// Throws Error.
+std::vector<GeneratedFile> with_lanes(std::vector<GeneratedFile> files, int lanes);
+
 /// The tables of these units in block memory: other modules in their place, glint_table_..._block, which ask for it by
 /// the attribute rom_style. The same ports, bits and clocks.
 void use_block_tables(std::vector<GeneratedFile>& files);

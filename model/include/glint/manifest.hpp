@@ -44,7 +44,7 @@ struct HardwareUnit {
     };
 
     std::string name;          ///< of its top module
-    std::string_view kind;     ///< lobe, effect, lobe_axis or effect_axis
+    std::string_view kind;     ///< lobe, effect, and with _axis or _lanes behind it
     std::string lobe, effect;  ///< with the lobe's options; empty where there is none
     std::string profile;       ///< as on the command line
     int F = 0, O = 0;          ///< fraction bits of cosines and of results

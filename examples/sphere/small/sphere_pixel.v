@@ -18,9 +18,9 @@ module sphere_pixel #(
     input  wire         [1:0] material_i,
     input  wire   [TAG_W-1:0] tag_i,
     input  wire               dark_i,      // 5 clocks later: which field of the pattern
-    output wire         [7:0] r_o,         // linear, code / 2^8; 1.0 is cut to 255
-    output wire         [7:0] g_o,
-    output wire         [7:0] b_o,
+    output wire        [15:0] r_o,         // linear, code / 2^16; 1.0 is cut
+    output wire        [15:0] g_o,
+    output wire        [15:0] b_o,
     output wire   [TAG_W-1:0] tag_o
 );
 
@@ -226,9 +226,9 @@ module sphere_pixel #(
             cut = sum[7:0] | {8{|sum[9:8]}};
         end
     endfunction
-    assign r_o = cut(diffuse4[8:0], r4[8:0]);
-    assign g_o = cut(diffuse4[17:9], g4[8:0]);
-    assign b_o = cut(diffuse4[26:18], b4[8:0]);
+    assign r_o = {cut(diffuse4[8:0], r4[8:0]), 8'd0};
+    assign g_o = {cut(diffuse4[17:9], g4[8:0]), 8'd0};
+    assign b_o = {cut(diffuse4[26:18], b4[8:0]), 8'd0};
     wire unused = &{1'b0, nl_q[29:28], nl_q[9:0], nh_q[26], nh_q[7:0], field3[TAG_W], r3[15:9], g3[15:9], b3[15:9],
         r4[15:9], g4[15:9], b4[15:9], half_x_i[1:0], half_y_i[1:0]};
 
