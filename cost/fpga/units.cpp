@@ -244,10 +244,13 @@ std::vector<Port> ports(std::span<const EffectPort> of_model, std::string_view s
 }
 
 PricedUnit effect_unit(const Effect& effect, const EffectModel& model, const Design& design, const std::string& lobe,
-                       const Architecture& architecture, std::optional<int> mask) {
+                       const Architecture& architecture, int latency, std::optional<int> mask) {
+    constexpr int shallow =
+        32;  // clocks: a unit of more has so many valid bits that their resets want a synthesis of their own
     PricedUnit out;
     out.point.architecture = architecture.name;
     out.family = architecture.family;
+    out.deep = latency > shallow;
     out.point.effect = effect.name;
     out.point.mask = mask;
     if (effect.takes_lobe) out.point.lobe = lobe;
@@ -289,14 +292,16 @@ std::vector<PricedUnit> effects_of(const Options& options) {
                 std::vector<GeneratedFile> files = effect->emit(profile, options.lobe);
                 const Architecture architecture = parse_architecture(*files.front().unit, name);
                 use_family(*files.front().unit, architecture.family);
+                const int latency = files.front().unit->architectures[0].latency;
                 if (architecture.block) use_block_tables(files);
                 const Design design = design_of(files);
                 if (!masked(*effect)) {
-                    out.push_back(effect_unit(*effect, *model, design, options.lobe, architecture, std::nullopt));
+                    out.push_back(
+                        effect_unit(*effect, *model, design, options.lobe, architecture, latency, std::nullopt));
                     continue;
                 }
                 for (const int mask : chosen) {
-                    out.push_back(effect_unit(*effect, *model, design, options.lobe, architecture, mask));
+                    out.push_back(effect_unit(*effect, *model, design, options.lobe, architecture, latency, mask));
                 }
             }
         }

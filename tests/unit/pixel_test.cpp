@@ -7,6 +7,7 @@
 #include "catch.hpp"
 #include "glint/effect.hpp"
 #include "glint/error.hpp"
+#include "glint/lobes.hpp"
 #include "glint/vectors.hpp"
 
 using namespace glint;
@@ -91,6 +92,41 @@ TEST_CASE("frame: dot products are within the bounds of docs/effects/pixel.md") 
         }
         CHECK(cut > 500);
     }
+}
+
+TEST_CASE("frame: c^1000 from L, V and N of 16 bits, in the highlight") {
+    // Of real unit vectors, rounded to the ports; by nh and blinn_phong at p16, against c^n of the real vectors.
+    const Profile profile = parse_profile("p16");
+    const auto model = find_effect("pixel").golden(profile, "blinn_phong");
+    const auto lobe = find_lobe("blinn_phong").golden(profile);
+    Random random(5);
+    const auto any = [&] {
+        const auto uniform = [&] { return static_cast<long double>(random.next() >> 11) * 0x1p-53L - 0.5L; };
+        return Vector{uniform(), uniform(), uniform()};
+    };
+    const auto scaled = [](const Vector& v, long double to) { return Vector{v[0] * to, v[1] * to, v[2] * to}; };
+    const auto unit = [&](const Vector& v) { return scaled(v, 1 / std::sqrt(dot(v, v))); };
+    Values in = random_pixel(*model, 0, random);
+    long double worst = 0;
+    for (int i = 0; i < 50000; ++i) {
+        const Vector l = unit(any()), v = unit(any()), sum = l + v;
+        if (dot(sum, sum) < 0.5L) continue;
+        const Vector h = unit(sum), n = unit(h + scaled(any(), 0.15L));
+        for (std::size_t c = 0; c < 3; ++c) {
+            const auto code = [](long double x) { return std::min<std::int64_t>(32767, std::llround(32768 * x)); };
+            in[1 + c] = code(l[c]);
+            in[4 + c] = code(v[c]);
+            in[7 + c] = code(n[c]);
+        }
+        for (const Intermediate& value : model->trace(in)) {
+            if (value.name != "nh") continue;
+            const auto y = lobe->eval(1000, static_cast<std::int32_t>(std::max<std::int64_t>(0, value.code)));
+            worst = std::max(worst, std::abs(y / 65536.0L - std::pow(std::max(0.0L, dot(n, h)), 1000)));
+        }
+    }
+    CAPTURE(worst);
+    CHECK(worst > 0.0005L);
+    CHECK(worst <= 0.003L);
 }
 
 TEST_CASE("pixel: a light after a light, through the ambient ports, is their sum, cut once") {
