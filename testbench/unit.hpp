@@ -72,10 +72,10 @@ using MakeUnit = std::unique_ptr<Unit> (*)(std::span<const int> bits, std::uint6
 
 /// A unit that this build contains.
 struct UnitKind {
-    std::string_view effect;        ///< empty for the unit of a lobe
-    std::string_view lobe;          ///< of effects that are made of none: empty
-    std::string_view profile;       ///< its name, e.g. "p12" or "18_14_14_12"
-    std::string_view unit;          ///< "core", "axis"; with words of 32 bits and all sidebands "axis32", three of it "lanes"
+    std::string_view effect;   ///< empty for the unit of a lobe
+    std::string_view lobe;     ///< of effects that are made of none: empty
+    std::string_view profile;  ///< its name, e.g. "p12" or "18_14_14_12"
+    std::string_view unit;  ///< "core", "axis"; with words of 32 bits and all sidebands "axis32", three of it "lanes"
     std::string_view architecture;  ///< of a lobe: its canonical name, e.g. "restoring"
     int mask = -1;  ///< MASK of shade, the bits of its port `effects` that are built; -1: all, as of every other effect
     std::string_view id;       ///< of the build: the target waveform-<id> is the same unit, made to draw
