@@ -165,7 +165,7 @@ void add_emit(CLI::App& app, Chosen& chosen) {
     command->add_option("--sidebands", options->sidebands,
                         "More ports of the AXI4-Stream unit: keep, id, dest (docs/rtl.md)");
     command->add_option("--lanes", options->lanes,
-                        "Also so many AXI4-Stream units side by side as one, 2 to 64 (docs/rtl.md)");
+                        "So many AXI4-Stream units side by side, too: 2 to 64 (docs/rtl.md)");
     command->add_option("--target", options->target, "verilog, hls, proof or all")->capture_default_str();
     command->add_option("-o,--output", options->folder, "Folder")->capture_default_str();
     command->add_flag("--committed", options->committed, "Instead all that is generated in rtl/ (-o rtl): docs/rtl.md");
