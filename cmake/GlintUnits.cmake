@@ -240,8 +240,8 @@ function(glint_architecture out alike text default)
 endfunction()
 
 # glint_effect_units(out prefix rtl effects lobes profiles masks): the units of effects. Those that are made of a lobe
-# are there for the first of `lobes`; for the others only blinn_phong at p12, which pictures use. Of shade and
-# pixel there is a unit for each of the masks, too; pixel is there at p12 alone. A last argument `axis`: the AXI4-Stream units of these.
+# are there for the first of `lobes`; for the others only blinn_phong at p12, which pictures use. Of shade and pixel there is a
+# unit for each of the masks, too; pixel is there at p12 alone. A last argument `axis`: the AXI4-Stream units of these.
 function(glint_effect_units out prefix rtl effects lobes profiles masks)
   set(targets "")
   set(unit core)

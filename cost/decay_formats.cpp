@@ -10,7 +10,7 @@
 namespace glint::cost {
 namespace {
 
-/// The fewest block RAMs that hold a table; `kbit` 4 of iCE40, 18 elsewhere.
+/// The fewest block RAMs that hold a table: of 4 kbit on iCE40, of 18 elsewhere.
 int block_rams(int rows, int bits, bool ice40) {
     constexpr std::array<std::array<int, 2>, 4> small{{{256, 16}, {512, 8}, {1024, 4}, {2048, 2}}};
     constexpr std::array<std::array<int, 2>, 4> large{{{512, 36}, {1024, 18}, {2048, 9}, {4096, 4}}};

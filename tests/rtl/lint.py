@@ -200,18 +200,13 @@ def lint(tool, folders):
             for values in sets if family_files else ():
                 silent(command(tool, top, models + family_files, dict(zip(names.split(), values))))
                 modules += 1
-    # shade, and pixel around it, with some of the effects; Verilator and Yosys want the number sized.
-    shade, pixel = (units.units()[f"glint_effect_{name}_bps_p12"] for name in ("shade", "pixel"))
-    everything = next(int(p["default"]) for p in shade["parameters"] if p["name"] == "MASK")
-    bits = everything.bit_length()
-    masks = [(shade, mask) for mask in (0, *(1 << bit for bit in range(bits)), everything - 1)]
-    for unit, mask in [*masks, *((pixel, mask) for mask in (3, 4, 10, 32, 64))]:
-        silent(command(tool, unit["name"], unit["files"], {"MASK": mask if tool == "iverilog" else f"{bits}'d{mask}"}))
-        modules += 1
-    for mask in (0, 1, 5, 2048):
-        select = units.units()["glint_effect_lobe_select_p12"]
-        silent(command(tool, select["name"], select["files"], {"MASK": mask if tool == "iverilog" else f"12'd{mask}"}))
-        modules += 1
+    # Units of many parts with some of these; Verilator and Yosys want the number sized.
+    for name, masks in (("shade_bps", ()), ("pixel_bps", (3, 4, 10, 32, 64)), ("lobe_select", (0, 1, 5, 2048))):
+        unit = units.units()[f"glint_effect_{name}_p12"]
+        bits = next(int(p["default"]) for p in unit["parameters"] if p["name"] == "MASK").bit_length()
+        for mask in masks or (0, *(1 << bit for bit in range(bits)), (1 << bits) - 2):
+            silent(command(tool, unit["name"], unit["files"], {"MASK": mask if tool == "iverilog" else f"{bits}'d{mask}"}))
+            modules += 1
     for file in RTL.rglob("*.v"):
         if file not in listed and file.stem not in MODULES:
             raise Failed(f"{file} is in no unit of rtl/units.json")
