@@ -3,10 +3,20 @@ function(glint_own_code target)
   target_compile_options(${target} PRIVATE -Wall -Wextra -Wconversion $<$<BOOL:${GLINT_WERROR}>:-Werror>)
 endfunction()
 
-# glint_words(target): our own code that handles words and files. At -O1 it compiles in two thirds of the time.
+# glint_words(target file...): our own code that handles words and files: at -O0, and the headers of the libraries, which are
+# most of it, read once for all such targets. It compiles in a third of the time. The files are those that speed is asked of.
 function(glint_words target)
   glint_own_code(${target})
-  target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
+  target_compile_options(${target} PRIVATE $<$<NOT:$<CONFIG:Debug>>:-O0>)
+  foreach(file IN LISTS ARGN)
+    set_source_files_properties(${file} PROPERTIES COMPILE_OPTIONS $<$<CONFIG:Release>:-O2> SKIP_PRECOMPILE_HEADERS ON)
+  endforeach()
+  if(target STREQUAL "glint-io-command")
+    target_precompile_headers(${target} PRIVATE <CLI/CLI.hpp> <fmt/format.h> <nlohmann/json.hpp> <algorithm> <filesystem>
+      <fstream> <map> <memory> <set> <span> <string> <vector>)
+  else()
+    target_precompile_headers(${target} REUSE_FROM glint-io-command)
+  endif()
 endfunction()
 
 # glint_registry(out file macro): the names in a registry, in its order.

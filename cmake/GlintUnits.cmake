@@ -110,6 +110,9 @@ function(glint_unit out id module rtl alike also emit arguments)
     target_sources(${target} PRIVATE ${GLINT_TESTBENCH}/register_unit.cpp ${place}/${prefix}.h)
     # -O3 gains nothing over -O2 here and takes longer.
     target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O2>)
+    if(NOT target MATCHES "^waveform")
+      target_precompile_headers(${target} REUSE_FROM glint-unit-headers)
+    endif()
     target_include_directories(${target} SYSTEM PRIVATE ${place})
     target_compile_definitions(${target} PRIVATE GLINT_MODEL=${prefix}
       GLINT_VERILATED="${prefix}.all.inc" GLINT_ID="${id}" ${pins} ${ARGN})

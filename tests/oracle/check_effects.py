@@ -87,15 +87,15 @@ class Subject:
         values = self.answer(codes)
         return " ".join(str(values[name]) for name in (*self.outputs, "clamped"))
 
-    def inputs(self, generator, count):
+    def inputs(self, generator, count, most_corners):
         corners = [port.corners(self.O) for port in self.ports.values()]
         total = 1
         for codes in corners:
             total *= len(codes)
-        if total <= 200000:
+        if total <= most_corners:
             yield from product(*corners)
         else:
-            for _ in range(getattr(self.effect, "corners", 200000)):
+            for _ in range(min(getattr(self.effect, "corners", most_corners), most_corners)):
                 yield tuple(generator.choice(codes) for codes in corners)
         yield from self.effect.inputs()
         for _ in range(count):
@@ -122,9 +122,9 @@ def check_examples(tool, subject, checks):
         checks.equal(f"{title}: clamped of the tool", int(", clamped\n" in output), values["clamped"])
 
 
-def check_stream(tool, subject, count, seed, checks):
+def check_stream(tool, subject, count, most_corners, seed, checks):
     generator = random.Random(f"{seed} {subject.name} {subject.profile}")
-    inputs = subject.inputs(generator, count)
+    inputs = subject.inputs(generator, count, most_corners)
     compared = 0
     while block := list(islice(inputs, 200000)):
         output, message, status = run_tool(
@@ -143,6 +143,7 @@ def main():
     parser = argparse.ArgumentParser(description="docs/effects in exact integers, compared with what glint eval answers.")
     parser.add_argument("--glint", required=True, help="the tool")
     parser.add_argument("--count", type=int, default=100000, help="random inputs per effect and profile")
+    parser.add_argument("--corners", type=int, default=200000, help="where there are more corners, as many at random")
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("effects", nargs="*", help="effects (default: all of docs/effects)")
     arguments = parser.parse_args()
@@ -156,7 +157,7 @@ def main():
             for profile in SHIPPED:
                 subject = Subject(name, profile)
                 check_examples(arguments.glint, subject, checks)
-                check_stream(arguments.glint, subject, arguments.count, arguments.seed, checks)
+                check_stream(arguments.glint, subject, arguments.count, arguments.corners, arguments.seed, checks)
             held &= checks.finish()
     except (Refused, Unreadable) as error:
         print(f"check_effects: {error}", file=sys.stderr)

@@ -11,8 +11,8 @@ from icarus import RTL
 from units import modules, read
 
 HERE = Path(__file__).parent
-RANDOM_DIVISIONS = 10000
-RANDOM_ROOTS = 10000
+RANDOM_DIVISIONS = 2000
+RANDOM_ROOTS = 2000
 
 
 def exhaustive(X_W, Y_W, Q_W):
