@@ -34,7 +34,7 @@ struct Options {
     std::string lobe = "bps";
     std::string profile = "p12";
     int n = 0;
-    double cosine = 0.0;
+    std::string cosine;
     std::int64_t cos_code = 0;
     bool from_stdin = false;
     std::string json;
@@ -127,9 +127,10 @@ std::string described(std::span<const EffectPort> ports, const Codes& codes) {
 /// n and the cosine's code of a lobe, from the command line.
 Codes lobe_input(const GoldenModel& model, const Options& options, bool has_code) {
     if (has_code) return {options.n, options.cos_code};
-    const std::int64_t code = quantize_cosine(options.cosine, model.profile().F);
+    const double cosine = parse_real(options.cosine, "cos");
+    const std::int64_t code = quantize_cosine(cosine, model.profile().F);
     if (!options.port && (code < 0 || code > model.profile().one())) {
-        throw Error(fmt::format("cosine {} is not legal: 0 to 1", options.cosine));
+        throw Error(fmt::format("cosine {} is not legal: 0 to 1", cosine));
     }
     return {options.n, code};
 }

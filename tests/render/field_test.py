@@ -160,7 +160,13 @@ class Faults(RenderCase):
         for arguments in (("-o", "a.png", "--json", "./a.png"), ("-o", "a.png", "--json", "a.json"),
                           ("-o", "a.png", "--compare", "--json", "a_fixed.png")):
             self.refused("--json '.*' is not legal: it is the scene or the picture", "render", "a.json", *arguments)
-        self.equal(self.files(), ["a.json", "a.obj"])
+        self.write("a.mtl", "newmtl red\nKd 1 0 0\n")
+        self.write("a.obj", "mtllib a.mtl\n" + TRIANGLE + "usemtl red\nf 1 2 3\n")
+        for scene in ("a.json", "a.obj"):
+            for file in ("./a.mtl",) + (("a.obj",) if scene == "a.json" else ()):
+                self.refused("--json '.*' is not legal: it is a model or its materials", "render", scene, "-o", "a.png",
+                             "--json", file)
+        self.equal(self.files(), ["a.json", "a.mtl", "a.obj"])
 
     def test_names_in_capitals(self):
         self.write("A.OBJ", "\ufeff" + TRIANGLE + "f 1 2 3\n")
