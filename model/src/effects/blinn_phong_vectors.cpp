@@ -5,14 +5,12 @@
 
 #include "../lobes/exp_log.hpp"
 #include "effect.hpp"
-#include "vectors.hpp"
+#include "two_vectors.hpp"
 
 namespace glint {
 namespace {
 
-constexpr std::string_view name = "blinn_phong_vectors";
-
-struct Format {
+struct BlinnPhongVectorsFormat {
     int W = 0;               ///< bits of a component
     exp_log::Log2 log2_p{};  ///< of p 4^j at L fraction bits
     exp_log::Log2 log2_s{};  ///< of s 16^j at L + 2
@@ -41,7 +39,8 @@ struct Format {
     static Wide at(Wide value, int places) { return places >= 0 ? value << places : value >> -places; }
 };
 
-Format format(const Profile& profile) {
+BlinnPhongVectorsFormat blinn_phong_vectors_format(const Profile& profile) {
+    constexpr std::string_view name = "blinn_phong_vectors";
     const int O = profile.O;
     std::vector<int> numbers{profile.F, 16, O / 4 + 4, O + 15, O / 4, O + 4, O};
     if (!profile.shipped()) {
@@ -56,12 +55,13 @@ Format format(const Profile& profile) {
 
 class BlinnPhongVectors final : public EffectModel {
 public:
-    explicit BlinnPhongVectors(const Profile& profile) : BlinnPhongVectors(profile, glint::format(profile)) {}
-    const Format& format() const { return f_; }
+    explicit BlinnPhongVectors(const Profile& profile)
+        : BlinnPhongVectors(profile, blinn_phong_vectors_format(profile)) {}
+    const BlinnPhongVectorsFormat& format() const { return f_; }
 
 private:
-    BlinnPhongVectors(const Profile& profile, const Format& f)
-        : EffectModel(name, profile, vector_ports(f.W), {term_port("y", profile, 0)}), f_(f) {}
+    BlinnPhongVectors(const Profile& profile, const BlinnPhongVectorsFormat& f)
+        : EffectModel("blinn_phong_vectors", profile, vector_ports(f.W), {term_port("y", profile, 0)}), f_(f) {}
 
     bool correct(std::int64_t* in) const override { return correct_vectors(in); }
 
@@ -71,7 +71,7 @@ private:
 
     std::vector<Intermediate> intermediates(const std::int64_t* in) const override {
         const VectorProduct v(f_.W, in, in + 3);
-        const Format::Steps x = f_.steps(v, in[6]);
+        const BlinnPhongVectorsFormat::Steps x = f_.steps(v, in[6]);
         const int bits = 2 * f_.W - 2, L = f_.log2_p.L;
         return after_inputs(in, {{"p", v.p, bits},
                                  {"aa", v.aa, bits},
@@ -91,7 +91,7 @@ private:
         out[0] = c < 0 ? 0.0 : reference::blinn_phong(c, in[6]);
     }
 
-    Format f_;
+    BlinnPhongVectorsFormat f_;
 };
 
 std::unique_ptr<EffectModel> make_blinn_phong_vectors(const Profile& profile, std::string_view) {
@@ -100,7 +100,7 @@ std::unique_ptr<EffectModel> make_blinn_phong_vectors(const Profile& profile, st
 
 std::vector<GeneratedFile> emit_blinn_phong_vectors(const Profile& profile, std::string_view) {
     const BlinnPhongVectors model(profile);
-    const Format& f = model.format();
+    const BlinnPhongVectorsFormat& f = model.format();
     const auto text = [](int value) { return std::to_string(value); };
     const std::vector<Table> tables{f.log2_p.table("log2_p"), f.log2_s.table("log2_s"), f.exp2.table()};
     return with_tables({effect_wrapper(model,
@@ -130,14 +130,8 @@ std::vector<EffectCase> blinn_phong_vectors_cases(const EffectModel& model) {
 Effect blinn_phong_vectors_effect();
 
 Effect blinn_phong_vectors_effect() {
-    return {name,
-            "c^n of the cosine of two vectors",
-            "Blinn",
-            make_blinn_phong_vectors,
-            emit_blinn_phong_vectors,
-            blinn_phong_vectors_cases,
-            1.0,
-            false};
+    return {"blinn_phong_vectors",    "c^n of the cosine of two vectors", "Blinn", make_blinn_phong_vectors,
+            emit_blinn_phong_vectors, blinn_phong_vectors_cases,          1.0,     false};
 }
 
 }  // namespace glint

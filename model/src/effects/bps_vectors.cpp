@@ -5,14 +5,12 @@
 #include "../lobes/bps.hpp"
 #include "effect.hpp"
 #include "glint/reference.hpp"
-#include "vectors.hpp"
+#include "two_vectors.hpp"
 
 namespace glint {
 namespace {
 
-constexpr std::string_view name = "bps_vectors";
-
-struct Format {
+struct BpsVectorsFormat {
     static constexpr int cut = 7;  ///< bits that x and n (r - x) lose before the division
 
     int W = 0;  ///< bits of a component
@@ -39,7 +37,8 @@ struct Format {
     }
 };
 
-Format format(const Profile& profile) {
+BpsVectorsFormat bps_vectors_format(const Profile& profile) {
+    constexpr std::string_view name = "bps_vectors";
     const int O = profile.O;
     if (profile.shipped()) return {16, O + 14, bps_polynomial(name, profile, O + 3, O + 3)};
     check_custom(profile, name, "F,W,R,S,K,O");
@@ -50,12 +49,12 @@ Format format(const Profile& profile) {
 
 class BpsVectors final : public EffectModel {
 public:
-    explicit BpsVectors(const Profile& profile) : BpsVectors(profile, glint::format(profile)) {}
-    const Format& format() const { return f_; }
+    explicit BpsVectors(const Profile& profile) : BpsVectors(profile, bps_vectors_format(profile)) {}
+    const BpsVectorsFormat& format() const { return f_; }
 
 private:
-    BpsVectors(const Profile& profile, const Format& f)
-        : EffectModel(name, profile, vector_ports(f.W), {term_port("y", profile, 0)}), f_(f) {}
+    BpsVectors(const Profile& profile, const BpsVectorsFormat& f)
+        : EffectModel("bps_vectors", profile, vector_ports(f.W), {term_port("y", profile, 0)}), f_(f) {}
 
     bool correct(std::int64_t* in) const override { return correct_vectors(in); }
 
@@ -65,8 +64,8 @@ private:
 
     std::vector<Intermediate> intermediates(const std::int64_t* in) const override {
         const VectorProduct v(f_.W, in, in + 3);
-        const Format::Steps s = f_.steps(v, in[6]);
-        const int bits = 2 * f_.W - 2, U = f_.R - Format::cut;
+        const BpsVectorsFormat::Steps s = f_.steps(v, in[6]);
+        const int bits = 2 * f_.W - 2, U = f_.R - BpsVectorsFormat::cut;
         const BpsPolynomial& p = f_.polynomial;
         return after_inputs(in, {{"p", v.p, bits},
                                  {"aa", v.aa, bits},
@@ -87,7 +86,7 @@ private:
         out[0] = c < 0 ? 0.0 : std::max(0.0, reference::bps_horner(c, in[6]));
     }
 
-    Format f_;
+    BpsVectorsFormat f_;
 };
 
 std::unique_ptr<EffectModel> make_bps_vectors(const Profile& profile, std::string_view) {
@@ -119,7 +118,7 @@ std::vector<GeneratedFile> emit_bps_vectors(const Profile& profile, std::string_
 Effect bps_vectors_effect();
 
 Effect bps_vectors_effect() {
-    return {name,
+    return {"bps_vectors",
             "bps of the cosine of two vectors",
             "this project",
             make_bps_vectors,

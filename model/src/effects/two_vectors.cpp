@@ -1,4 +1,4 @@
-#include "vectors.hpp"
+#include "two_vectors.hpp"
 
 #include <algorithm>
 #include <cmath>
