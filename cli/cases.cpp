@@ -65,8 +65,7 @@ void add_cases(CLI::App& app, Chosen& chosen) {
     command->footer("Example: glint cases -o docs/hard-cases.md");
     command->callback([=, &chosen] {
         chosen.run = [=] {
-            io::check_writable(*output);
-            io::check_writable(*json_file);
+            io::check_writable(*output, *json_file);
             if (!json_file->empty()) io::write_file(*json_file, json().dump(1) + "\n");
             if (!output->empty()) io::write_file(*output, page());
             if (output->empty() && json_file->empty()) fmt::print("{}", page());

@@ -123,6 +123,10 @@ bool in_registry(const Configuration& c) {
     return std::any_of(all.begin(), all.end(), [&](const Lobe& lobe) { return lobe.name == c.lobe; });
 }
 
+bool is_same_unit(const Configuration& a, const Configuration& b) {
+    return a.lobe == b.lobe && a.profile == b.profile && a.architecture == b.architecture;
+}
+
 struct Decision {
     std::vector<Configuration> all;  ///< of the device
     Choice choice;
@@ -132,6 +136,13 @@ Decision decide(const Prices& data, const Scope& scope, const std::string& devic
                 Metric best_in) {
     Decision out{join(data, scope, device), {}};
     std::erase_if(out.all, [](const Configuration& c) { return !in_registry(c); });  // a rival, that nothing emits
+    // Where the blocks were of no use, the price without them is that of the same unit.
+    const std::vector<Configuration> all = out.all;
+    std::erase_if(out.all, [&](const Configuration& c) {
+        return c.dsp && c.dsps == 0 && std::any_of(all.begin(), all.end(), [&](const Configuration& other) {
+                   return !other.dsp && is_same_unit(c, other);
+               });
+    });
     std::vector<Constraint> constraints;
     for (const Wish& wish : wanted) constraints.push_back(wish.constraint);
     out.choice = choose(out.all, constraints, best_in);
@@ -181,28 +192,27 @@ bool may_do(const Configuration& c, const std::vector<Wish>& wanted) {
 /// those that have: the fewest LUTs, which hardly depend on the device without DSP blocks, first.
 std::vector<Configuration> unpriced(const Decision& decision, const Prices& data, const Scope& scope,
                                     const std::string& device, const std::vector<Wish>& wanted, Metric best_in) {
-    const auto same = [](const Configuration& a, const Configuration& b) {
-        return a.lobe == b.lobe && a.profile == b.profile && a.architecture == b.architecture;
-    };
     const bool no_dsp = std::any_of(wanted.begin(), wanted.end(), [](const Wish& wish) {
         return wish.constraint.metric == Metric::dsps && wish.constraint.bound == 0.0;
     });
     std::vector<Configuration> out;
     for (Configuration& c : join(data, scope, "")) {
         const auto is_priced = [&](const Configuration& other) {
-            return same(c, other) && !(no_dsp && other.dsp && other.dsps > 0);
+            return is_same_unit(c, other) && !(no_dsp && other.dsp && other.dsps > 0);
         };
         if (c.dsp || c.device == device || !in_registry(c) || !may_do(c, wanted)) continue;
         if (std::any_of(decision.all.begin(), decision.all.end(), is_priced)) continue;
         if (std::any_of(data.fpga.begin(), data.fpga.end(), [&](const Price& p) {  // one that does not fit
-                return !p.fits && p.configuration.device == device && same(c, p.configuration) && !p.configuration.dsp;
+                return !p.fits && p.configuration.device == device && is_same_unit(c, p.configuration) &&
+                       !p.configuration.dsp;
             })) {
             continue;
         }
         if (!decision.choice.feasible.empty() && !better(best_in, c, decision.all[decision.choice.feasible.front()])) {
             continue;
         }
-        const auto known = std::find_if(out.begin(), out.end(), [&](const auto& other) { return same(c, other); });
+        const auto known =
+            std::find_if(out.begin(), out.end(), [&](const auto& other) { return is_same_unit(c, other); });
         if (known == out.end()) out.push_back(std::move(c));
     }
     std::stable_sort(out.begin(), out.end(), [](const auto& a, const auto& b) { return a.luts < b.luts; });

@@ -155,11 +155,8 @@ void add_cost(CLI::App& app, Chosen& chosen) {
         io::add_integer(*command, "--F", grid.F, 8, 30, "--grid: fraction bits of the cosine"),
         io::add_integer(*command, "--O", grid.O, 4, 28, "--grid: fraction bits of the output"),
         io::add_integer(*command, "--most", grid.most, 1, 1000, "--grid: formats to synthesize"),
-        command
-            ->add_option("--max-error", grid.max_error,
-                         "--grid: the cheapest formats of decay for an error against c^n")
-            ->check(CLI::Range(1e-4, 0.5))
-            ->option_text("FLOAT"),
+        io::add_real(*command, "--max-error", grid.max_error, 1e-4, 0.5,
+                     "--grid: the cheapest formats of decay for an error against c^n"),
     };
     command->add_option("--rtl", on_fpga.rtl, "Folder of the Verilog")->capture_default_str();
     command->add_option("--cache", on_fpga.cache, "Folder that keeps what was synthesized")->capture_default_str();

@@ -1,7 +1,6 @@
 #include "glint/emit.hpp"
 
 #include <iterator>
-#include <optional>
 #include <set>
 
 #include <fmt/format.h>
@@ -22,7 +21,7 @@ struct Options {
     std::string profile = "p12";
     std::string architecture;
     std::string sidebands;
-    std::optional<int> lanes;
+    int lanes = 1;
     std::string target = "all";
     std::string folder = ".";
     bool committed = false;
@@ -113,7 +112,7 @@ int run_emit(const Options& options) {
     const Sidebands sidebands = parse_sidebands(options.sidebands);
     const auto axi_stream = [&](std::vector<GeneratedFile> unit) {
         unit = with_axi_stream(std::move(unit), sidebands);
-        return options.lanes ? with_lanes(std::move(unit), *options.lanes) : unit;
+        return options.lanes > 1 ? with_lanes(std::move(unit), options.lanes) : unit;
     };
     if (!options.effect.empty()) {
         const Effect& effect = find_effect(options.effect);
@@ -164,8 +163,9 @@ void add_emit(CLI::App& app, Chosen& chosen) {
                         "How the Verilog is built: iterative, radix4:r2, ... (docs/rtl.md)");
     command->add_option("--sidebands", options->sidebands,
                         "More ports of the AXI4-Stream unit: keep, id, dest (docs/rtl.md)");
-    command->add_option("--lanes", options->lanes,
-                        "So many AXI4-Stream units side by side, too: 2 to 64 (docs/rtl.md)");
+    io::add_integer(*command, "--lanes", options->lanes, 2, 64,
+                    "So many AXI4-Stream units side by side, too: 2 to 64 (docs/rtl.md)")
+        ->default_str("");
     command->add_option("--target", options->target, "verilog, hls, proof or all")->capture_default_str();
     command->add_option("-o,--output", options->folder, "Folder")->capture_default_str();
     command->add_flag("--committed", options->committed, "Instead all that is generated in rtl/ (-o rtl): docs/rtl.md");

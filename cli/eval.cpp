@@ -4,6 +4,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <iterator>
 #include <map>
 #include <set>
@@ -34,7 +35,7 @@ struct Options {
     std::string lobe = "bps";
     std::string profile = "p12";
     int n = 0;
-    double cosine = 0.0;
+    std::string cosine;
     std::int64_t cos_code = 0;
     bool from_stdin = false;
     std::string json;
@@ -79,8 +80,11 @@ Unit make_unit(const Options& options) {
 
 double parse_real(const std::string& text, std::string_view port) {
     double x = 0.0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), x);
-    if (error != std::errc{} || end != text.data() + text.size() || !std::isfinite(x)) {
+    const char* const last = text.data() + text.size();
+    const char* const first = text.data() + (text.starts_with('+') && !text.starts_with("+-") ? 1 : 0);
+    const auto [end, error] = std::from_chars(first, last, x);
+    if (error == std::errc::result_out_of_range) x = std::strtod(text.c_str(), nullptr);  // next to 0, or infinite
+    if (error == std::errc::invalid_argument || end != last || !std::isfinite(x)) {
         throw Error(fmt::format("--{} '{}' is not legal: a finite number", port, text));
     }
     return x;
@@ -127,9 +131,10 @@ std::string described(std::span<const EffectPort> ports, const Codes& codes) {
 /// n and the cosine's code of a lobe, from the command line.
 Codes lobe_input(const GoldenModel& model, const Options& options, bool has_code) {
     if (has_code) return {options.n, options.cos_code};
-    const std::int64_t code = quantize_cosine(options.cosine, model.profile().F);
+    const double cosine = parse_real(options.cosine, "cos");
+    const std::int64_t code = quantize_cosine(cosine, model.profile().F);
     if (!options.port && (code < 0 || code > model.profile().one())) {
-        throw Error(fmt::format("cosine {} is not legal: 0 to 1", options.cosine));
+        throw Error(fmt::format("cosine {} is not legal: 0 to 1", cosine));
     }
     return {options.n, code};
 }

@@ -15,8 +15,7 @@ struct Options {
 };
 
 int run_merge(const Options& options, const std::string& command) {
-    io::check_writable(options.csv);
-    io::check_writable(options.json);
+    io::check_writable(options.csv, options.json);
     const io::Merged merged = io::merge_shards(options.files);
     if (!options.csv.empty()) io::write_file(options.csv, io::to_csv(merged.runs));
     if (!options.json.empty()) {

@@ -75,8 +75,7 @@ int run_plan(const std::vector<Work>& work, std::uint64_t cores) {
 }
 
 int run_sweep(Options& options, const std::string& command) {
-    io::check_writable(options.csv);
-    io::check_writable(options.json);
+    io::check_writable(options.csv, options.json);
     std::vector<Work> work;
     std::vector<std::string> keys;
     for (auto& model : io::models(options.lobe, options.profile)) {

@@ -188,8 +188,7 @@ std::string configurations_table(const std::vector<Configuration>& all, const st
 }
 
 int run_cost_table(TableOptions options, const std::string& command) {
-    io::check_writable(options.csv);
-    io::check_writable(options.json);
+    io::check_writable(options.csv, options.json);
     const Metric by = find_metric(options.sort).metric;
     const std::vector<Metric> axes = parse_axes(options.pareto);
     const Scope scope{parse_range(options.n, "--n", 1, max_n), parse_cosine(options.cosine), {}, options.hls};

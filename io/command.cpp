@@ -48,6 +48,20 @@ void refuse_empty(int argc, char** argv) {
     }
 }
 
+/// The error as one line. Arguments that it echoes may be long, and hold what moves a terminal's cursor.
+void tell(const CLI::App& app, std::string message, int argc, char** argv) {
+    constexpr std::size_t most = 200;
+    for (int i = 1; i < argc; ++i) {
+        const std::string text = argv[i];
+        if (text.size() <= most) continue;
+        for (std::size_t at = message.find(text); at != message.npos; at = message.find(text, at + most))
+            message.replace(at, text.size(), text.substr(0, most) + "...");
+    }
+    const auto moves = [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; };
+    std::replace_if(message.begin(), message.end(), moves, ' ');
+    fmt::print(stderr, "{}: {}\n", app.get_name(), message);
+}
+
 /// Throws Error unless all that was printed has arrived.
 void flush_output() {
     std::cout.flush();
@@ -73,13 +87,13 @@ int run(CLI::App& app, int argc, char** argv, const std::function<int()>& comman
         flush_output();  // here a failure can be told
         return status;
     } catch (const CLI::ParseError& error) {
-        fmt::print(stderr, "{}: {} (see {} --help)\n", app.get_name(), explain(error, app), app.get_name());
+        tell(app, fmt::format("{} (see {} --help)", explain(error, app), app.get_name()), argc, argv);
     } catch (const std::bad_alloc&) {
-        fmt::print(stderr, "{}: there is not enough memory\n", app.get_name());
+        tell(app, "there is not enough memory", argc, argv);
     } catch (const Error& error) {
-        fmt::print(stderr, "{}: {}\n", app.get_name(), error.what());
+        tell(app, error.what(), argc, argv);
     } catch (const std::system_error&) {  // fmt::print
-        fmt::print(stderr, "{}: standard output cannot be written\n", app.get_name());
+        tell(app, "standard output cannot be written", argc, argv);
     }
     return bad_arguments;
 }
@@ -91,6 +105,19 @@ std::int64_t parse_integer(std::string_view text, std::string_view what, std::in
         throw Error(fmt::format("{} '{}' is not legal: {} to {}", what, text, low, high));
     }
     return number;
+}
+
+CLI::Option* add_real(CLI::App& app, const std::string& name, double& value, double low, double high,
+                      const std::string& description) {
+    const auto take = [&value, name, low, high](const std::string& text) {
+        double x = 0.0;
+        const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), x);
+        if (error != std::errc{} || end != text.data() + text.size() || !(x >= low && x <= high)) {
+            throw Error(fmt::format("{} '{}' is not legal: a number from {} to {}", name, text, low, high));
+        }
+        value = x;
+    };
+    return app.add_option_function<std::string>(name, take, description)->type_name("FLOAT");
 }
 
 std::vector<std::string> split_profiles(const std::string& text) {

@@ -42,6 +42,10 @@ CLI::Option* add_integer(CLI::App& app, const std::string& name, Integer& value,
         ->default_str(std::to_string(value));
 }
 
+/// An option that takes a number in low..high.
+CLI::Option* add_real(CLI::App& app, const std::string& name, double& value, double low, double high,
+                      const std::string& description);
+
 /// "a,b" -> a; b. There is always one: an empty text is an empty one.
 std::vector<std::string> split_list(const std::string& text);
 

@@ -60,6 +60,22 @@ void check_writable(const std::filesystem::path& path) {
     if (!good) throw Error(fmt::format("file '{}' cannot be written", path.string()));
 }
 
+bool same_file(const std::filesystem::path& a, const std::filesystem::path& b) {
+    const auto place = [](const std::filesystem::path& file) {
+        std::error_code unknown;
+        return std::filesystem::weakly_canonical(std::filesystem::absolute(file, unknown), unknown);
+    };
+    return place(a) == place(b);
+}
+
+void check_writable(const std::filesystem::path& one, const std::filesystem::path& other) {
+    check_writable(one);
+    check_writable(other);
+    if (!one.empty() && !other.empty() && !is_device(one) && same_file(one, other)) {
+        throw Error(fmt::format("file '{}' is not legal: two options name it", other.string()));
+    }
+}
+
 Progress progress_bar(std::string label) {
     if (!isatty(STDERR_FILENO)) return {};
     using clock = std::chrono::steady_clock;

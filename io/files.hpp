@@ -18,6 +18,12 @@ void write_file(const std::filesystem::path& path, std::string_view text);
 /// path is fine.
 void check_writable(const std::filesystem::path& path);
 
+/// True where the two names are of one place, whether a file is there or not.
+bool same_file(const std::filesystem::path& a, const std::filesystem::path& b);
+
+/// check_writable of both. Throws Error where they are one file, and no device.
+void check_writable(const std::filesystem::path& one, const std::filesystem::path& other);
+
 /// Makes the folder if it is not there. Throws Error.
 void make_folder(const std::filesystem::path& folder);
 

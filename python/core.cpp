@@ -7,6 +7,7 @@
 #include <nanobind/stl/vector.h>
 
 #include <algorithm>
+#include <bit>
 #include <chrono>
 #include <memory>
 
@@ -56,6 +57,22 @@ void check(std::span<const T> codes, std::int64_t low, std::int64_t high, std::s
                             offset + static_cast<std::size_t>(at - codes.begin()), *at, low, high));
 }
 
+/// All bits that occur in these words.
+template <class T>
+T bits_of(std::span<const T> words) {
+    T out = 0;
+    with_lanes([&] {
+        const std::size_t half = words.size() / 2;
+        T low = words.size() % 2 != 0 ? words.back() : T{0}, high = 0;  // two, so that neither waits for the other
+        for (std::size_t i = 0; i < half; ++i) {
+            low = static_cast<T>(low | words[i]);
+            high = static_cast<T>(high | words[half + i]);
+        }
+        out = static_cast<T>(low | high);
+    });
+    return out;
+}
+
 /// A lobe at a profile. Its functions let other threads run.
 class LobeModel {
 public:
@@ -75,6 +92,7 @@ public:
         if (cos_code.shape(0) != count || (n.shape(0) != count && n.shape(0) != 1))
             throw Error("lengths of arrays differ");
         const bool one_n = n.shape(0) == 1;
+        static_assert(std::has_single_bit(max_n + 1U));  // so that the bits of all n say whether one is too great
         const std::vector<std::uint16_t> same(one_n ? std::min(length, count) : 0,
                                               one_n ? *n.data() : std::uint16_t{1});
         for (std::size_t first = 0; first < count; first += length) {
@@ -82,11 +100,17 @@ public:
             const auto n_block =
                 one_n ? std::span<const std::uint16_t>(same).first(size) : span_of(n).subspan(first, size);
             const auto cos_block = span_of(cos_code).subspan(first, size);
-            check(n_block, ports ? 0 : 1, max_n, "n", first);
-            model_->eval_port_batch(n_block, cos_block, span_of(packed).subspan(first, size));
-            // A model corrects every cosine. So this check can wait until the batch has brought the codes into the
-            // cache; before it, memory would be waited for twice.
-            check(cos_block, ports ? -2 * one : 0, ports ? 2 * one - 1 : one, "cos_code", first);
+            if ((first == 0 || !one_n) && bits_of(n_block) > max_n) check(n_block, ports ? 0 : 1, max_n, "n", first);
+            const auto packed_block = span_of(packed).subspan(first, size);
+            model_->eval_port_batch(n_block, cos_block, packed_block);
+            // A model corrects n = 0 and every cosine, and says so. So these checks can wait until the batch has
+            // brought the codes into the cache; before it, memory would be waited for twice.
+            if (ports) {
+                check(cos_block, -2 * one, 2 * one - 1, "cos_code", first);
+            } else if (bits_of(std::span<const std::uint32_t>(packed_block)) >> 31 != 0) {
+                check(n_block, 1, max_n, "n", first);
+                check(cos_block, 0, one, "cos_code", first);
+            }
         }
     }
 

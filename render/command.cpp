@@ -216,21 +216,11 @@ std::filesystem::path beside(const std::filesystem::path& output, const std::str
     return out;
 }
 
-/// Throws Error where --json would write over a picture or the scene.
-void check_apart(const Options& options) {
-    if (options.json.empty()) return;
-    std::vector<std::filesystem::path> others{options.scene, options.output};
-    if (options.compare) {
-        others = {options.scene};
-        for (const char* part : {"float", "fixed", "rtl", "difference"}) others.push_back(beside(options.output, part));
-    }
-    const auto place = [](const std::filesystem::path& file) {
-        std::error_code unknown;
-        return std::filesystem::weakly_canonical(std::filesystem::absolute(file, unknown), unknown);
-    };
-    for (const std::filesystem::path& other : others) {
-        if (place(options.json) != place(other)) continue;
-        throw Error(fmt::format("--json '{}' is not legal: it is the scene or the picture", options.json));
+/// Throws Error where --json would write over one of the files.
+void check_apart(const std::string& json, const std::vector<std::filesystem::path>& files, const char* what) {
+    if (json.empty()) return;
+    if (std::any_of(files.begin(), files.end(), [&](const auto& file) { return io::same_file(json, file); })) {
+        throw Error(fmt::format("--json '{}' is not legal: it is {}", json, what));
     }
 }
 
@@ -255,7 +245,11 @@ int run_render(const Options& options, const std::string& command) {
     if (!options.against_model.empty() && find_model(options.against_model) == nullptr) {
         throw Error(fmt::format("--against-model '{}' is not known: {}", options.against_model, known_models()));
     }
-    check_apart(options);
+    std::vector<std::filesystem::path> others{options.scene, options.output};
+    for (const char* part : {"float", "fixed", "rtl", "difference"}) {
+        if (options.compare) others.push_back(beside(options.output, part));
+    }
+    check_apart(options.json, others, "the scene or the picture");
     io::check_writable(options.output);
     io::check_writable(options.json);
 
@@ -269,6 +263,7 @@ int run_render(const Options& options, const std::string& command) {
     if (rays > most_rays) throw Error(fmt::format("{} rays are not legal: at most {}", rays, most_rays));
 
     job.scene = load_scene(options.scene, static_cast<double>(job.size.width) / job.size.height);
+    check_apart(options.json, job.scene.files, "a model or its materials");
     for (const std::string& warning : job.scene.warnings) fmt::print(stderr, "glint: warning: {}\n", warning);
     const auto start = std::chrono::steady_clock::now();
     job.fragments = cast_rays(job.scene, job.size.width * job.side, job.size.height * job.side, job.threads,
@@ -291,11 +286,11 @@ int run_render(const Options& options, const std::string& command) {
         if (obstacle.empty()) engines.emplace_back("rtl");
     }
     // The names that --against and --against-model gave, for what is printed.
-    std::vector<std::string> others{options.against, options.against_model};
-    others.erase(std::remove(others.begin(), others.end(), ""), others.end());
+    std::vector<std::string> against{options.against, options.against_model};
+    against.erase(std::remove(against.begin(), against.end(), ""), against.end());
     std::vector<Result> results;
     for (const std::string& engine : engines) {
-        results.push_back(job.run(engine, engine == "float" && !others.empty() ? other_plan(options, job) : plan));
+        results.push_back(job.run(engine, engine == "float" && !against.empty() ? other_plan(options, job) : plan));
     }
     std::vector<std::vector<std::string>> rows{{"engine", "shading, s", "million evaluations/s", "corrected inputs"}};
     for (const Result& result : results) {
@@ -344,7 +339,7 @@ int run_render(const Options& options, const std::string& command) {
         fmt::print(
             "{} against float{}: PSNR {:.2f} dB, SSIM {:.5f}, largest difference {} of 255 and {:.2f} ulp of "
             "2^-{} in linear light, {} pixels differ as shown\n",
-            last.engine, others.empty() ? "" : fmt::format(" with {}", fmt::join(others, ", ")), distance.psnr,
+            last.engine, against.empty() ? "" : fmt::format(" with {}", fmt::join(against, ", ")), distance.psnr,
             distance.ssim, distance.largest, distance.largest_linear / ulp, job.profile.O, grouped(distance.unequal));
         json["against_float"] = {{"engine", last.engine},
                                  {"lobe", options.against.empty() ? options.lobe : options.against},
@@ -361,7 +356,7 @@ int run_render(const Options& options, const std::string& command) {
         }
         files.emplace_back(beside(options.output, "float"), png(real));
         files.emplace_back(beside(options.output, last.engine), png(last.picture));
-        const bool in_ulp = others.empty();
+        const bool in_ulp = against.empty();
         files.emplace_back(beside(options.output, "difference"),
                            png(difference(last.picture, real, in_ulp ? ulp : 1.0, in_ulp ? "ulp" : "of 1")));
     }

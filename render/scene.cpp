@@ -267,6 +267,7 @@ private:
         if (known != loaded_.end()) return known->second;
         Loaded& out = loaded_[name];
         out.model = read_obj(folder_ / name, scene_.warnings);
+        scene_.files.insert(scene_.files.end(), out.model.files.begin(), out.model.files.end());
         out.first = static_cast<std::uint32_t>(scene_.materials.size());
         for (Material material : out.model.materials) {
             if (changes_.contains(material.name)) {
@@ -406,6 +407,7 @@ Scene load_scene(const std::filesystem::path& path, double aspect) {
     Model model = read_obj(path, scene.warnings);
     scene.materials = std::move(model.materials);
     scene.triangles = std::move(model.triangles);
+    scene.files = std::move(model.files);
     scene.background_top = {0.16, 0.19, 0.24};
     scene.background_bottom = {0.05, 0.055, 0.065};
     scene.camera = framing(scene.triangles, aspect);

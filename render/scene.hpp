@@ -59,7 +59,8 @@ struct Scene {
     Vec3 ambient{0.3, 0.3, 0.3};             ///< light that is everywhere, 0 .. below 16
     Vec3 background_top, background_bottom;  ///< linear, 0 .. 1
     Camera camera;
-    std::vector<std::string> warnings;  ///< a line each
+    std::vector<std::string> warnings;         ///< a line each
+    std::vector<std::filesystem::path> files;  ///< models and MTL files that were read
 };
 
 /// Reads a scene file (.json), or a model (.obj) with defaults for all else. `aspect` is the picture's width over its

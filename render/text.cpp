@@ -17,11 +17,11 @@ namespace {
 constexpr std::string_view blanks = " \t\v\f";
 constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
 
-/// Where the comment of a name begins: at a '#' with a blank or nothing on either side.
+/// Where the comment of a name begins: at a '#' with a blank or nothing on both sides.
 std::size_t comment(std::string_view text) {
     const auto blank = [&](std::size_t i) { return i >= text.size() || blanks.find(text[i]) != blanks.npos; };
     for (std::size_t i = text.find('#'); i != text.npos; i = text.find('#', i + 1)) {
-        if (i == 0 || (blank(i - 1) && blank(i + 1))) return i;
+        if ((i == 0 || blank(i - 1)) && blank(i + 1)) return i;
     }
     return text.size();
 }
@@ -64,7 +64,7 @@ std::string_view Lines::physical() {
     std::string_view out = text_.substr(at_, end - at_);
     at_ = end + (text_.substr(end).starts_with("\r\n") ? 2 : 1);
     ++number_;
-    if (out.starts_with(byte_order_mark)) out.remove_prefix(byte_order_mark.size());
+    while (out.starts_with(byte_order_mark)) out.remove_prefix(byte_order_mark.size());
     return trimmed(out);
 }
 
@@ -107,8 +107,10 @@ std::vector<std::string_view> fields(std::string_view text) {
 }
 
 bool parse_number(std::string_view field, double largest, double& out) {
-    if (field.starts_with('+')) field.remove_prefix(1);
-    if (field.starts_with('+')) return false;
+    if (field.starts_with('+')) {
+        field.remove_prefix(1);
+        if (field.starts_with('+') || field.starts_with('-')) return false;
+    }
     out = 0.0;
     const char* const end = field.data() + field.size();
     const auto [stopped, error] = std::from_chars(field.data(), end, out);

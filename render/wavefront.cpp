@@ -80,6 +80,7 @@ public:
         plain.exponent = 40;
         set_models(plain, "", file_);
         build(out);
+        out.files.assign(libraries_.begin(), libraries_.end());
         return out;
     }
 
@@ -114,7 +115,8 @@ private:
             if (fresh) names_.push_back(name);
             name_ = place->second;
         } else if (key == "mtllib") {
-            read_library(std::string(line_.rest));
+            const bool quoted = line_.rest.size() > 2 && line_.rest.starts_with('"') && line_.rest.ends_with('"');
+            read_library(std::string(quoted ? line_.rest.substr(1, line_.rest.size() - 2) : line_.rest));
         } else if (key == "l" || key == "p" || key == "curv" || key == "curv2" || key == "surf") {
             not_drawn_.at(line_.number);
         } else if (!is_passed_over(key)) {
@@ -245,7 +247,8 @@ private:
         colours_.resize(colours_.empty() ? 0 : vertices_.size(), uncoloured);
         const bool bytes = brightest_ >= 2.0;
         if (bytes) {
-            warn("colours of vertices above 1 were taken as 0 .. 255");
+            warn(fmt::format("colours of vertices above 1 were taken as 0 .. 255{}",
+                             brightest_ > 255.0 || darkest_ < 0.0 ? ", and cut to that" : ""));
         } else if (brightest_ > 1.0 || darkest_ < 0.0) {
             warn("colours of vertices are cut to 0 .. 1");
         }
@@ -390,7 +393,9 @@ Model parse_obj(std::string_view text, const std::string& file, const FindFile& 
 
 Model read_obj(const std::filesystem::path& path, std::vector<std::string>& warnings) {
     const auto find = [&](const std::string& name) { return find_beside(path.parent_path(), name); };
-    return parse_obj(read_file(path), path.string(), find, warnings);
+    Model out = parse_obj(read_file(path), path.string(), find, warnings);
+    out.files.push_back(path);
+    return out;
 }
 
 }  // namespace glint::render

@@ -12,8 +12,9 @@
 namespace glint::render {
 
 struct Model {
-    std::vector<Material> materials;  ///< the last one is for faces without a material
-    std::vector<Triangle> triangles;  ///< materials are indices into `materials`; normals have unit length
+    std::vector<Material> materials;           ///< the last one is for faces without a material
+    std::vector<Triangle> triangles;           ///< materials are indices into `materials`; normals have unit length
+    std::vector<std::filesystem::path> files;  ///< that were read
 };
 
 /// Reads a model and the MTL files that it names. A line per warning is added to `warnings`. Throws Error when a file

@@ -234,14 +234,9 @@ int main(int argc, char** argv) {
                                         "n = 0 with every code, and illegal codes with n 1, 2, 50, 1000, 1023");
     CLI::Option* resets =
         io::add_integer(app, "--resets", options.resets, 1, std::int64_t{1} << 40, "So many resets in mid-stream");
-    app.add_option("--stall-probability", options.stall_probability,
-                   "Chance of a bubble at the input, and of a stall at the output")
-        ->check(CLI::Range(0.0, 0.99))
-        ->check([](const std::string& text) {  // a NaN is in every range
-            return text.find_first_not_of("0123456789.eE+-") == text.npos ? ""
-                                                                          : "'" + text + "' is not legal: 0 to 0.99";
-        })
-        ->capture_default_str();
+    io::add_real(app, "--stall-probability", options.stall_probability, 0.0, 0.99,
+                 "Chance of a bubble at the input, and of a stall at the output")
+        ->default_str(fmt::format("{}", options.stall_probability));
     io::add_integer(app, "--seed", options.seed, 0, io::largest_seed, "Seed of all that is random");
     io::add_integer(app, "--threads", options.threads, 0, io::most_threads, "Threads; 0: one a core");
     app.add_option("--trace", options.trace, "Waveform (FST) around the first mismatch");

@@ -6,20 +6,20 @@ namespace glint {
 namespace {
 
 /// Codes in a task: the working set of a block (some ten doubles a code) stays in the second-level cache.
-constexpr std::int64_t block = 4096;
+constexpr std::int64_t codes_of_task = 4096;
 
 }  // namespace
 
 SweepPlan::SweepPlan(Range n, Range cos_code)
-    : cos_code_(cos_code), tasks_(static_cast<std::size_t>((cos_code.size() + block - 1) / block)) {
+    : cos_code_(cos_code), tasks_(static_cast<std::size_t>((cos_code.size() + codes_of_task - 1) / codes_of_task)) {
     for (std::int64_t i = 0; i < n.size(); ++i) n_.push_back(static_cast<int>(n[i]));
     if (inputs() == 0) throw Error("sweep of 0 inputs is not legal: at least 1");
 }
 
 std::vector<std::int32_t> SweepPlan::codes(std::size_t task) const {
     std::vector<std::int32_t> out;
-    const std::int64_t first = static_cast<std::int64_t>(task) * block;
-    for (std::int64_t i = first; i < std::min(first + block, cos_code_.size()); ++i) {
+    const std::int64_t first = static_cast<std::int64_t>(task) * codes_of_task;
+    for (std::int64_t i = first; i < std::min(first + codes_of_task, cos_code_.size()); ++i) {
         out.push_back(static_cast<std::int32_t>(cos_code_[i]));
     }
     return out;

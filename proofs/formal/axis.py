@@ -15,14 +15,14 @@ def edited(name, text, old, new):
     return text.replace(old, new)
 
 
-def emitted(glint, unit, folder):
-    """The wrapper of the unit with all sidebands, written by the command `glint`."""
-    command = [str(glint), "emit", "--lobe", unit["lobe"], "--profile", unit["profile"], "--target", "verilog",
-               "--sidebands", SIDEBANDS, "-o", str(folder / "emitted")]
+def emitted(glint, unit, folder, name, *options):
+    """The wrapper `name` around the unit, written by the command `glint` with these options."""
+    of = (["--effect", unit["effect"]] if unit["effect"] else []) + (["--lobe", unit["lobe"]] if unit["lobe"] else [])
+    command = [str(glint), "emit", *of, "--profile", unit["profile"], "--target", "verilog", *options, "-o", str(folder / "emitted")]
     done = subprocess.run(command, capture_output=True, text=True, check=False)
     if done.returncode != 0:
         raise RuntimeError(f"`{' '.join(command)}`: {done.stderr.strip()}")
-    return pathlib.Path(folder / "emitted" / f"{unit['name']}.v").read_text()
+    return pathlib.Path(folder / "emitted" / f"{name}.v").read_text()
 
 
 def at_any_size(units, unit, text, names):

@@ -72,6 +72,16 @@ WRAPPER = [
     ("core_never_stalls", "in_turn", ".ready_i  (out_ready),", ".ready_i  (1'b1),"),
     ("core_not_reset", "nothing_invented", ".rst_ni   (aresetn),", ".rst_ni   (1'b1),"),
 ]
+LANES = [  # of the lanes after the first one
+    ("ready_alone", "same_valid", ".m_axis_tvalid(),\n                    .m_axis_tready(m_axis_tready)",
+     ".m_axis_tvalid(),\n                    .m_axis_tready(1'b1)"),
+    ("number_steers", "same_valid", ".s_axis_tlast(1'b0),\n                    .s_axis_tvalid(s_axis_tvalid)",
+     ".s_axis_tlast(1'b0),\n                    .s_axis_tvalid(s_axis_tvalid & s_axis_tdata[0])"),
+    ("words_of_the_first", "own_words", "s_axis_tdata[k*32+:32]),\n                    .s_axis_tuser(1'b0)",
+     "s_axis_tdata[0+:32]),\n                    .s_axis_tuser(1'b0)"),
+]
+LANES_UNIT = [("number_waits", "same_ready", ".ready_i(in_ready),", ".ready_i(in_ready & nl_i[9]),")]
+LANES_SKID = [("not_reset", "same_ready", "ready_q      <= 1'b0;", "ready_q      <= ready_q;")]
 WORDS = [
     ("sidebands_swapped", "in_turn", "({s_axis_tuser, s_axis_tlast,", "({s_axis_tlast, s_axis_tuser,"),
     ("field_off_by_a_bit", "operands_kept", "s_axis_tdata[19:0]", "s_axis_tdata[20:1]"),

@@ -21,6 +21,7 @@ import tempfile
 import time
 
 import axis
+import lanes
 from tasks import EFFECT_NUMBERS, KINDS, MODULES, NUMBERS, UNITS, WRAPPER_PARAMETERS, in_stream, tasks, word_lengths
 
 HERE = pathlib.Path(__file__).resolve().parent
@@ -68,14 +69,25 @@ def latency(unit, parameters, folder, frame="ports"):
     return int(re.search(rf"^  wire width (\d+) \\{frame}\.valid_q$", (folder / "latency.il").read_text(), re.M).group(1))
 
 
-def prepare(task, folder):
-    """Writes the copies of the modules and runs Yosys; the result is model.smt2."""
+def write_lanes(task, folder):
+    """The model of the proof of lanes."""
+    unit = UNITS[task.top.replace("_lanes_", "_axis_")]
+    modules = {path.stem: path.read_text() for path in unit["files"]}
+    modules[task.top] = axis.emitted(GLINT, unit, folder, task.top, "--lanes", str(lanes.LANES))
+    if task.edit:
+        module, text, instead = task.edit
+        modules[module] = axis.edited(module, modules[module], text, instead)
+    lanes.write_model(task, folder, modules, unit, run)
+
+
+def write_model(task, folder):
+    """The model of every other proof."""
     parameters = dict(task.parameters)
     added = ""
     if task.kind == "axis":
         wrapper, core = UNITS[task.top], UNITS[UNITS[task.top]["core"]["module"]]
         of_effect, unit = wrapper["kind"] == "effect_axis", core["core"]["module"]
-        text = axis.emitted(GLINT, wrapper, folder) if task.sidebands else wrapper["files"][-1].read_text()
+        text = axis.emitted(GLINT, wrapper, folder, task.top, "--sidebands", axis.SIDEBANDS) if task.sidebands else wrapper["files"][-1].read_text()
         if of_effect:
             modules = {**needed("glint_skid", "glint_stream"), core["name"]: axis.stand_in(core), task.top: text}
         else:
@@ -127,6 +139,11 @@ def prepare(task, folder):
     script += "check -assert\nwrite_rtlil model.il\nwrite_smt2 -wires model.smt2\n"
     (folder / "model.ys").write_text(script)
     run(["yosys", "-q", "-l", "yosys.log", "model.ys"], folder, "Yosys")
+
+
+def prepare(task, folder):
+    """Writes the copies of the modules and runs Yosys; the result is model.smt2."""
+    (write_lanes if task.kind == "lanes" else write_model)(task, folder)
     if task.only:
         sets = {}
         for name, pattern in (("kept", task.only), ("given", task.given)):
@@ -284,7 +301,7 @@ def main():
     parser.add_argument("--json", type=pathlib.Path, metavar="FILE", help="write the same facts as JSON")
     parser.add_argument("--build", type=pathlib.Path, metavar="DIR",
                         help="keep the copies, scripts and models there (default: a temporary folder)")
-    parser.add_argument("--glint", type=pathlib.Path, metavar="FILE", help="the command, for the tasks of sidebands")
+    parser.add_argument("--glint", type=pathlib.Path, metavar="FILE", help="the command, for the tasks of sidebands and lanes")
     options = parser.parse_args()
     global GLINT
     GLINT = options.glint
@@ -294,11 +311,11 @@ def main():
         if not shutil.which(program):
             raise UsageError(f"program '{program}' not found; install the package `{package}`")
     wanted = chosen(tasks(), options.only)
-    if not GLINT and not options.list and any(task.sidebands for task in wanted):
+    if not GLINT and not options.list and any(task.emitted for task in wanted):
         if options.only:
-            raise UsageError("the proof of sidebands needs --glint FILE, the command that writes the wrapper")
-        wanted = [task for task in wanted if not task.sidebands]
-        print("left out: the proof of sidebands, which needs --glint")
+            raise UsageError("the proof of sidebands and of lanes needs --glint FILE, the command that writes the wrapper")
+        wanted = [task for task in wanted if not task.emitted]
+        print("left out: the proofs of sidebands and of lanes, which need --glint")
     if options.list:
         print("\n".join(task.name for task in wanted))
         return 0

@@ -48,6 +48,11 @@ class Task:
     result: str = ""
     seconds: float = 0.0
 
+    @property
+    def emitted(self):
+        """Whether the command `glint` writes the wrapper."""
+        return self.sidebands or self.kind == "lanes"
+
 
 def in_stream(unit):
     """Whether a lobe's core stands in glint_stream, as an effect does, and not in glint_ports."""
@@ -139,6 +144,7 @@ def tasks():
                     *planted(f"axis.{lobe}", wrapper, "axis", axis, 24, wrapper, bugs.WRAPPER)]
     out += of_shade()
     out += of_lobe_select()
+    out += of_lanes()
     for effect in EFFECTS:
         out += of_axis(effect)
     for effect in (e for e in EFFECTS if e not in ("shade", "lobe_select", "pixel")):  # pixel is two of them in a row
@@ -154,6 +160,24 @@ def of_axis(effect):
     if effect == SHORT[0]:
         out += [Task(f"axis.effect.{effect}.cover", "not vacuous", wrapper, "axis", {"USER_W": 1}, "cover", 20),
                 *planted(f"axis.effect.{effect}", wrapper, "axis", {"USER_W": 1}, 16, wrapper, bugs.WORDS)]
+    return out
+
+
+def of_lanes():
+    """The lanes of every AXI4-Stream unit."""
+    out = []
+    for name, unit in UNITS.items():
+        if unit["kind"] not in ("lobe_axis", "effect_axis"):
+            continue
+        group = f"lanes.effect.{unit['effect']}" if unit["effect"] else f"lanes.{unit['lobe']}"
+        top = name.replace("_axis_", "_lanes_")
+        out.append(Task(f"{group}.p12", "all lanes keep step, whatever their numbers", top, "lanes", {}, "induction", 1))
+        if unit["lobe"] == BUGGED and not unit["effect"]:
+            out.append(Task(f"{group}.iterative.p12", out[-1].shows, top, "lanes", {"DIVIDER": 2}, "induction", 1))
+        if unit["effect"] == SHORT[0]:
+            out.append(Task(f"{group}.cover", "not vacuous", top, "lanes", {}, "cover", 20))
+            for module, table in ((top, bugs.LANES), (name, bugs.LANES_UNIT), ("glint_skid", bugs.LANES_SKID)):
+                out += planted(group, top, "lanes", {}, 16, module, table)
     return out
 
 

@@ -4,7 +4,7 @@ import os
 import random
 import re
 
-from case import Case, OPTIONS, PROFILES
+from case import Case, OPTIONS, PROFILES, ROOT
 
 
 class Arguments(Case):
@@ -24,9 +24,32 @@ class Arguments(Case):
     def test_no_number(self):
         for name, value in (("--cos", "nan"), ("--cos", "1e400"), ("--cos", "inf")):
             self.refused("is not legal", "eval", "--n", "50", name, value)
+        self.equal(self.good("eval", "--n", "5", "--cos", "1e-400"), self.good("eval", "--n", "5", "--cos", "0"))
+        self.equal(self.good("eval", "--n", "5", "--cos", "+.5"), self.good("eval", "--n", "5", "--cos", "0.5"))
         for option in ("--max-error", "--clock", "--latency-ns", "--throughput"):
             for value in ("nan", "inf", "-1", "1e400"):
                 self.refused(f"{option} '{value}' is not legal", "choose", option, value)
+
+        self.refused("--cos 'x' is not legal: a finite number", "eval", "--n", "50", "--cos", "x")
+        self.refused("--lanes 'x' is not legal: 2 to 64", "emit", "--lanes", "x")
+        for value in ("x", "nan", "0", "0.6"):
+            self.refused(f"--max-error '{value}' is not legal: a number from 0.0001 to 0.5", "cost", "--grid", "--max-error",
+                         value)
+
+    def test_echo(self):
+        """A value is shown without what moves a cursor, and up to its 200th character."""
+        for arguments in (("eval", "--lobe"), ("eval", "--profile"), ("render", "-o", "a.png"), ("choose", "--clock"),
+                          ("eval", "--nothing"), ()):
+            self.refused("a b \\[31m", *arguments, "a\nb\x1b[31m")
+            done = self.run_tool(*arguments, "x" * 5000)
+            self.equal(done.returncode, 2)
+            self.true(len(done.stderr) < 700 and done.stderr.count("\n") == 1, done.stderr)
+
+    def test_one_file_for_two(self):
+        for arguments in (("sweep", "--profile", "p8", "--n", "1"), ("cost", "--data", ROOT / "cost/data")):
+            self.refused("file './a' is not legal: two options name it", *arguments, "--csv", "a", "--json", "./a")
+        self.refused("two options name it", "cases", "-o", "a", "--json", "a")
+        self.equal(self.files(), [])
 
     def test_range_that_is_empty(self):
         """Where the other numbers of a profile leave no legal value, they are named."""

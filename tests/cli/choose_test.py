@@ -377,6 +377,17 @@ class Prices(Case):
         for c in bps:
             self.true(best["luts"] <= c["luts"], f"{best} against {c}")
 
+    def test_one_unit_once(self):
+        """A unit that has no use for DSP blocks is priced with and without them, and stands in the list once."""
+        for device in ("up5k", "xc7", "ecp5"):
+            for arguments in (("--no-dsp",), ()):
+                self.good("choose", "--data", ROOT / "cost/data", "--json", "out.json", "--device", device, "--runners-up",
+                          "100", *arguments)
+                found = json.loads(self.read("out.json"))
+                units = [(c["lobe"], c["profile"], c["architecture"], c["dsps"])
+                         for c in [found["best"]] + found["runners_up"]]
+                self.equal(len(units), len(set(units)), f"{device} {arguments}")
+
     def test_decay(self):
         """What the lobe of tables is held to, over all n: an error, LUTs, block RAMs, MHz, clocks."""
         figures = [  # device, DSPs, error, LUTs, block RAMs, MHz, clocks

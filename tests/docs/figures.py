@@ -7,7 +7,7 @@
 `<!-- lobes -->`: every lobe at p12, `<!-- profiles of bps -->`: what a sweep of all inputs finds, `<!-- prices -->`: the
 units that its rows name; `<!-- hls -->`: what Bambu made of every kernel, `<!-- forms -->`: of the forms of the divider;
 `<!-- shells -->`: units without and with the AXI4-Stream shell; `<!-- errors -->`: the cheapest formats of `decay` for an
-error, `<!-- parts -->`: what the parts of some of them take; `<!-- blocks -->`: units with tables in block memory; `<!-- cpu -->`: `decay` on a processor; `<!-- faults -->`: the record of planted faults. The last column of the lobes and the first of
+error, `<!-- devices -->`: on each device, `<!-- parts -->`: what the parts of some of them take; `<!-- beckmann -->`: Beckmann's exponential in two forms; `<!-- blocks -->`: units with tables in block memory; `<!-- cpu -->`: `decay` on a processor; `<!-- faults -->`: the record of planted faults. The last column of the lobes and the first of
 the prices are kept: they are words.
 """
 
@@ -20,7 +20,7 @@ import tempfile
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
-MARKED = re.compile(r"(<!-- (lobes|profiles of bps|prices|hls|forms|shells|errors|parts|blocks|cpu|faults) -->\n)(.*?)(<!-- end -->\n)", re.DOTALL)
+MARKED = re.compile(r"(<!-- (lobes|profiles of bps|prices|hls|forms|shells|errors|devices|parts|beckmann|blocks|cpu|faults) -->\n)(.*?)(<!-- end -->\n)", re.DOTALL)
 
 
 def data(name):
@@ -148,12 +148,26 @@ def shells(_):
     return [["unit", "LUTs: without, with", "registers", "clocks", "MHz"], ["---", "--:", "--:", "--:", "--:"], *rows]
 
 
-def cheapest(most):
+def cheapest(most, device="hx8k", dsp=False):
     """Of each error in grid.json, largest first: the format with the fewest LUTs among those of at most so many block RAMs."""
     grids = json.loads((ROOT / "cost/data/grid.json").read_text())["grids"]
-    for grid in sorted((g for g in grids if "max_error" in g and g["device"] == "hx8k"), key=lambda g: -g["max_error"]):
+    for grid in sorted((g for g in grids if "max_error" in g and (g["device"], g["dsp"]) == (device, dsp)),
+                       key=lambda g: -g["max_error"]):
         formats = [form for form in grid["formats"] if form["brams"] <= most]
         yield grid["max_error"], min(formats, key=lambda form: form["luts"]) if formats else None
+
+
+def devices(_):
+    """Of each device, without DSP blocks and with them: the fewest LUTs for an error, with at most 8 block RAMs."""
+    kinds = [("hx8k", False), ("up5k", False), ("up5k", True), ("ecp5-25k", False), ("ecp5-25k", True)]
+    found = {kind: dict(cheapest(8, *kind)) for kind in kinds}
+    rows = []
+    for below in sorted(found["hx8k", False], reverse=True):
+        forms = [found[kind].get(below) for kind in kinds]
+        if all(forms):
+            rows.append([f"1/{1 / below:.0f}", *(f"{form['luts']}, {form['brams']}" + (f", {form['dsps']}" if dsp else "")
+                                                 for (_, dsp), form in zip(kinds, forms))])
+    return [["error below", *(f"{device}{', DSPs' if dsp else ''}" for device, dsp in kinds)], ["--:"] * 6, *rows]
 
 
 def errors(_):
@@ -175,6 +189,16 @@ def parts(_):
         rows.append([f"1/{1 / below:.0f}", f"`{point['profile']}`", str(form["luts"]), str(form["brams"]),
                      *(str(point[key] + (point["delays"] if key == "rest" else 0)) for key in keys)])
     return [["error below", "format", "LUTs", "block RAMs", *keys], ["--:", "---", *["--:"] * 6], *rows]
+
+
+def beckmann(_):
+    rows = []
+    for point in data("beckmann.json"):
+        hx8k, ecp5 = point["hx8k"], point["ecp5-25k"]
+        rows.append([f"{point['form']}, `{point['profile']}`", *(f"{point[key]:.2g}" for key in ("error", "term", "term_rough")),
+                     str(point["clocks"]), f"{hx8k['luts']}, {hx8k['brams']}", f"{ecp5['luts']}, {ecp5['brams']}, {ecp5['dsps']}"])
+    return [["form", "error", "of the term", "m from 0.3 on", "clocks", "hx8k: LUTs, RAMs", "ecp5-25k: LUTs, RAMs, DSPs"],
+            ["---", *["--:"] * 6], *rows]
 
 
 def blocks(_):
@@ -228,7 +252,8 @@ def main():
     parser.add_argument("--write", action="store_true")
     options = parser.parse_args()
     documents = {"README.md": {"lobes": lobes, "profiles of bps": lambda _: profiles(options.glint), "prices": prices},
-                 "hls/README.md": {"hls": hls, "forms": forms}, "docs/cost.md": {"shells": shells, "blocks": blocks, "errors": errors, "parts": parts},
+                 "hls/README.md": {"hls": hls, "forms": forms}, "docs/cost.md": {"shells": shells, "blocks": blocks, "errors": errors, "devices": devices,
+                                  "parts": parts, "beckmann": beckmann},
                  "docs/cpu-cost.md": {"cpu": cpu}, "docs/evidence.md": {"faults": faults}}
     for name, makers in documents.items():
         text = (ROOT / name).read_text()

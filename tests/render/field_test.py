@@ -61,6 +61,33 @@ class Models(RenderCase):
             self.check(folder, "model.obj", entry)
 
 
+    def test_through_the_verilog(self):
+        """Every model that is drawn, from dot products and from vectors: rtl equals fixed in every pixel."""
+        if not OPTIONS.rtl:
+            self.true(True, "this build has no Verilated units")
+            return
+        drawn = [(OPTIONS.models, entry["name"]) for entry in TABLE["assimp-testmodels"] if "refused" not in entry]
+        drawn = [(folder, name) for folder, name in drawn if (folder / name).is_file()]
+        for entry in TABLE["rebuilt"]:
+            folder = self.folder / entry["name"]
+            folder.mkdir()
+            for name, lines in entry["files"].items():
+                (folder / name).write_text("\n".join(lines) + "\n")
+            if "refused" not in entry:
+                drawn.append((folder, "model.obj"))
+        fragments = 0
+        for folder, name in drawn:
+            for source in ("dots", "vectors"):
+                done = self.run_tool("render", name, "--compare", "--from", source, "--size", "96x54", "-o", self.folder / "a.png",
+                                     "--json", self.folder / "a.json", cwd=folder)
+                self.equal(done.returncode, 0, f"{folder / name} {source}: {done.stdout}{done.stderr}")
+                found = self.json("a.json")
+                self.equal(found["rtl_against_fixed"]["unequal"], 0, f"{folder / name} {source}")
+                self.true((found["against_float"]["psnr_db"] or 99) > 50, f"{folder / name} {source}: {found['against_float']}")
+                fragments += found["fragments"]
+        self.true(fragments > 40000, f"{fragments} fragments in {len(drawn)} models")
+
+
 class Faults(RenderCase):
     def cube(self, name, size=1.0, at=(0.0, 0.0, 0.0), rest=""):
         lines = ["v " + " ".join(f"{a + size * x:.12g}" for a, x in zip(at, corner)) + rest for corner in CUBE]
@@ -160,7 +187,13 @@ class Faults(RenderCase):
         for arguments in (("-o", "a.png", "--json", "./a.png"), ("-o", "a.png", "--json", "a.json"),
                           ("-o", "a.png", "--compare", "--json", "a_fixed.png")):
             self.refused("--json '.*' is not legal: it is the scene or the picture", "render", "a.json", *arguments)
-        self.equal(self.files(), ["a.json", "a.obj"])
+        self.write("a.mtl", "newmtl red\nKd 1 0 0\n")
+        self.write("a.obj", "mtllib a.mtl\n" + TRIANGLE + "usemtl red\nf 1 2 3\n")
+        for scene in ("a.json", "a.obj"):
+            for file in ("./a.mtl",) + (("a.obj",) if scene == "a.json" else ()):
+                self.refused("--json '.*' is not legal: it is a model or its materials", "render", scene, "-o", "a.png",
+                             "--json", file)
+        self.equal(self.files(), ["a.json", "a.mtl", "a.obj"])
 
     def test_names_in_capitals(self):
         self.write("A.OBJ", "\ufeff" + TRIANGLE + "f 1 2 3\n")

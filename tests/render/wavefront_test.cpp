@@ -235,6 +235,7 @@ TEST_CASE("mtl: names, comments, line ends, byte order mark") {
     using Names = std::vector<std::string>;
     CHECK(names("newmtl red # the roof\nKd 1 0 0\n") == Names{"red"});
     CHECK(names("newmtl Material #25\nnewmtl a b  c \t\n") == Names{"Material #25", "a b  c"});
+    CHECK(names("newmtl #1\nnewmtl #2 # c\nnewmtl # c\n") == Names{"#1", "#2", ""});
     CHECK(names("newmtl red\\\nKd 1 0 0\n") == Names{"red\\"});
     CHECK(names("\xef\xbb\xbfnewmtl red\rKd 1 0 0\rnewmtl blue\r\nKd 0 0 1") == Names{"red", "blue"});
     CHECK(names("newmtl\nKd 1 0 0\n") == Names{""});
@@ -335,7 +336,7 @@ TEST_CASE("obj: one definition of a line") {
         INFO(end.size() << ' ' << static_cast<int>(end[0]));
         CHECK(holds(obj_refusal(with_ends(square + "v nan 0 0\nf 1 2 3\n", end)), "test.obj:5: 'nan' is not legal"));
         const auto [model, warnings] =
-            obj("\xef\xbb\xbf" + with_ends("v 5 5 5\n" + square + "# a \\\nf 2 3 4 \\\n 5\ng x\\\nf 2 3 4 # c\n", end));
+            obj("\xef\xbb\xbf\xef\xbb\xbf" + with_ends("v 5 5 5\n" + square + "# a \\\nf 2 3 4 \\\n 5\ng x\\\nf 2 3 4 # c\n", end));
         CHECK(model.triangles.size() == 3);
         CHECK(warnings.empty());
         for (const Triangle& triangle : model.triangles) {
@@ -388,6 +389,9 @@ TEST_CASE("obj: numbers are read in double") {
         obj("v 500000.05 4649776.3 99.8\nv 500000.45 4649776.3 99.8\nv 500000.45 4649776.7 99.8\nf 1 2 3\n").model;
     CHECK(model.triangles.at(0).corners[0].position == Vec3{500000.05, 4649776.3, 99.8});
     CHECK(model.triangles.at(0).corners[0].normal.z == Approx(1.0));
+    for (const std::string x : {"+-1", "++1", "--1", "1e", "1.5f", "1,5", "0x1", ".", "-", "1e309", "-nan(ind)"}) {
+        CHECK(holds(obj_refusal(square + "v " + x + " 0 0\nf 1 2 3\n"), "test.obj:5: '" + x + "' is not legal"));
+    }
 }
 
 TEST_CASE("obj: colours of vertices") {
@@ -398,6 +402,7 @@ TEST_CASE("obj: colours of vertices") {
     };
     CHECK(colour("0.5 0.25 1") == std::pair(Vec3{0.5, 0.25, 1}, std::size_t{0}));
     CHECK(colour("255 51 0") == std::pair(Vec3{1, 0.2, 0}, std::size_t{1}));
+    CHECK(colour("65535 51 0") == std::pair(Vec3{1, 0.2, 0}, std::size_t{1}));
     CHECK(colour("1.001 0.5 0") == std::pair(Vec3{1, 0.5, 0}, std::size_t{1}));
     CHECK(colour("-1 0.5 0") == std::pair(Vec3{0, 0.5, 0}, std::size_t{1}));
     CHECK(colour("0.5") == std::pair(Vec3{1, 1, 1}, std::size_t{0}));  // a weight
@@ -416,6 +421,7 @@ TEST_CASE("obj: material files and names as exporters write them") {
     };
     for (const Case& c : {Case{"a b.mtl", "red", {1, 0, 0}},
                           {"a b.mtl # c", "red", {1, 0, 0}},
+                          {"\"a b.mtl\"", "red", {1, 0, 0}},
                           {"a b.mtl", "red # c", {1, 0, 0}},
                           {"a b.mtl", "red #c", {1, 0, 0}},
                           {"a b.mtl", "Material #25", {0, 1, 0}},

@@ -5,15 +5,12 @@
 namespace glint {
 namespace {
 
-constexpr std::string_view name = "blinn_phong";
-constexpr std::string_view cosine = "nh";
-
 std::unique_ptr<EffectModel> make_blinn_phong(const Profile& profile, std::string_view lobe) {
-    return make_highlight(name, cosine, profile, lobe);
+    return make_highlight("blinn_phong", "nh", profile, lobe);
 }
 
 std::vector<GeneratedFile> emit_blinn_phong(const Profile& profile, std::string_view lobe) {
-    return emit_highlight(name, cosine, profile, lobe);
+    return emit_highlight("blinn_phong", "nh", profile, lobe);
 }
 
 }  // namespace
@@ -21,7 +18,7 @@ std::vector<GeneratedFile> emit_blinn_phong(const Profile& profile, std::string_
 Effect blinn_phong_effect();
 
 Effect blinn_phong_effect() {
-    return {name,
+    return {"blinn_phong",
             "lobe(n, N.H) where N.L > 0",
             "J. F. Blinn 1977",
             make_blinn_phong,

@@ -9,12 +9,10 @@
 namespace glint {
 namespace {
 
-constexpr std::string_view name = "cook_torrance";
-
 constexpr int excess_bits = 12;  ///< fraction bits of the port excess
 constexpr int t_integer_bits = 7;
 
-struct Format {
+struct CookTorranceFormat {
     int F = 0, O = 0;
     microfacets::WordLengths w;
     int R = 0;  ///< fraction bits of root and q
@@ -63,8 +61,8 @@ struct Format {
     }
 };
 
-Format make_format(const Profile& profile) {
-    microfacets::check_profile(name, profile);
+CookTorranceFormat make_cook_torrance_format(const Profile& profile) {
+    microfacets::check_profile("cook_torrance", profile);
     const int F = profile.F, O = profile.O;
     const microfacets::WordLengths w = microfacets::word_lengths(O);
     const int R = O + 10, W = O + 14;
@@ -73,9 +71,9 @@ Format make_format(const Profile& profile) {
             w,
             R,
             W,
-            microfacets::make_attenuation(name, F, w),
-            exp_log::make_log2(name, R + 3, w.T, w.L, microfacets::cut(R + 3, w.L)),
-            microfacets::make_scaled_power(name, w.S, O, w)};
+            microfacets::make_attenuation("cook_torrance", F, w),
+            exp_log::make_log2("cook_torrance", R + 3, w.T, w.L, microfacets::cut(R + 3, w.L)),
+            microfacets::make_scaled_power("cook_torrance", w.S, O, w)};
 }
 
 EffectPort falloff_port(const Profile& profile) {
@@ -91,19 +89,19 @@ class CookTorrance final : public EffectModel {
 public:
     explicit CookTorrance(const Profile& profile)
         : EffectModel(
-              name, profile,
+              "cook_torrance", profile,
               {dot_port("nl", profile), dot_port("nv", profile), dot_port("nh", profile), dot_port("vh", profile),
                falloff_port(profile), microfacets::level_port(microfacets::word_lengths(profile.O)), excess_port()},
               {term_port("y", profile, microfacets::E_out)}),
-          f_(make_format(profile)) {}
+          f_(make_cook_torrance_format(profile)) {}
 
-    const Format& format() const { return f_; }
+    const CookTorranceFormat& format() const { return f_; }
 
 private:
     void value(const std::int64_t* in, std::int64_t* out) const override { out[0] = f_.steps(in).last.y; }
 
     std::vector<Intermediate> intermediates(const std::int64_t* in) const override {
-        const Format::Steps x = f_.steps(in);
+        const CookTorranceFormat::Steps x = f_.steps(in);
         const int L = f_.w.L, S = f_.w.S;
         return after_inputs(in, {{"ul", x.a.ul, L},
                                  {"uv", x.a.uv, L},
@@ -147,16 +145,16 @@ private:
         return std::max(1.0, y);
     }
 
-    Format f_;
+    CookTorranceFormat f_;
 };
 
-std::unique_ptr<EffectModel> make(const Profile& profile, std::string_view) {
+std::unique_ptr<EffectModel> make_cook_torrance(const Profile& profile, std::string_view) {
     return std::make_unique<CookTorrance>(profile);
 }
 
-std::vector<GeneratedFile> emit(const Profile& profile, std::string_view) {
+std::vector<GeneratedFile> emit_cook_torrance(const Profile& profile, std::string_view) {
     const CookTorrance model(profile);
-    const Format& f = model.format();
+    const CookTorranceFormat& f = model.format();
     std::vector<Table> memories = microfacets::memories(f.attenuation, f.power);
     memories.insert(memories.begin() + 4, f.log2_q.table("log2_q"));
     return with_tables({effect_wrapper(model,
@@ -170,7 +168,7 @@ std::vector<GeneratedFile> emit(const Profile& profile, std::string_view) {
                        memories);
 }
 
-std::vector<EffectCase> cases(const EffectModel& model) {
+std::vector<EffectCase> cook_torrance_cases(const EffectModel& model) {
     std::vector<EffectCase> out = common_effect_cases(model);
     const auto ports = model.inputs();
     const std::int64_t one = model.profile().one();
@@ -217,7 +215,14 @@ std::vector<EffectCase> cases(const EffectModel& model) {
 Effect cook_torrance_effect();
 
 Effect cook_torrance_effect() {
-    return {name, "F D G / (pi N.V)", "R. L. Cook, K. E. Torrance 1982", make, emit, cases, 1.4, false};
+    return {"cook_torrance",
+            "F D G / (pi N.V)",
+            "R. L. Cook, K. E. Torrance 1982",
+            make_cook_torrance,
+            emit_cook_torrance,
+            cook_torrance_cases,
+            1.4,
+            false};
 }
 
 }  // namespace glint

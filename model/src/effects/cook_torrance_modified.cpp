@@ -8,12 +8,10 @@
 namespace glint {
 namespace {
 
-constexpr std::string_view name = "cook_torrance_modified";
-
 constexpr int stretch_bits = 8;  ///< fraction bits of the port stretch
 constexpr std::int64_t coefficient_limit = 8;
 
-struct Format {
+struct ModifiedFormat {
     int F = 0, O = 0;
     microfacets::WordLengths w;
     int K = 0;  ///< fraction bits of x, the coefficients and the cubic
@@ -46,11 +44,16 @@ struct Format {
     }
 };
 
-Format make_format(const Profile& profile) {
-    microfacets::check_profile(name, profile);
+ModifiedFormat make_modified_format(const Profile& profile) {
+    microfacets::check_profile("cook_torrance_modified", profile);
     const int F = profile.F, O = profile.O, K = O + 5;
     const microfacets::WordLengths w = microfacets::word_lengths(O);
-    return {F, O, w, K, microfacets::make_attenuation(name, F, w), microfacets::make_scaled_power(name, K, O, w)};
+    return {F,
+            O,
+            w,
+            K,
+            microfacets::make_attenuation("cook_torrance_modified", F, w),
+            microfacets::make_scaled_power("cook_torrance_modified", K, O, w)};
 }
 
 EffectPort stretch_port() {
@@ -67,21 +70,21 @@ EffectPort coefficient_port(std::string_view port, const Profile& profile) {
 class CookTorranceModified final : public EffectModel {
 public:
     explicit CookTorranceModified(const Profile& profile)
-        : EffectModel(name, profile,
+        : EffectModel("cook_torrance_modified", profile,
                       {dot_port("nl", profile), dot_port("nv", profile), dot_port("nh", profile),
                        dot_port("vh", profile), microfacets::level_port(microfacets::word_lengths(profile.O)),
                        stretch_port(), coefficient_port("c0", profile), coefficient_port("c1", profile),
                        coefficient_port("c2", profile), coefficient_port("c3", profile)},
                       {term_port("y", profile, microfacets::E_out)}),
-          f_(make_format(profile)) {}
+          f_(make_modified_format(profile)) {}
 
-    const Format& format() const { return f_; }
+    const ModifiedFormat& format() const { return f_; }
 
 private:
     void value(const std::int64_t* in, std::int64_t* out) const override { out[0] = f_.steps(in).last.y; }
 
     std::vector<Intermediate> intermediates(const std::int64_t* in) const override {
-        const Format::Steps x = f_.steps(in);
+        const ModifiedFormat::Steps x = f_.steps(in);
         const int L = f_.w.L, S = f_.w.S, K = f_.K;
         return after_inputs(in, {{"ul", x.a.ul, L},
                                  {"uv", x.a.uv, L},
@@ -117,16 +120,16 @@ private:
 
     double scale(const double* in) const override { return dark(in) ? 1.0 : std::max(1.0, peak(in)); }
 
-    Format f_;
+    ModifiedFormat f_;
 };
 
-std::unique_ptr<EffectModel> make(const Profile& profile, std::string_view) {
+std::unique_ptr<EffectModel> make_cook_torrance_modified(const Profile& profile, std::string_view) {
     return std::make_unique<CookTorranceModified>(profile);
 }
 
-std::vector<GeneratedFile> emit(const Profile& profile, std::string_view) {
+std::vector<GeneratedFile> emit_cook_torrance_modified(const Profile& profile, std::string_view) {
     const CookTorranceModified model(profile);
-    const Format& f = model.format();
+    const ModifiedFormat& f = model.format();
     const std::vector<Table> memories = microfacets::memories(f.attenuation, f.power);
     return with_tables(
         {effect_wrapper(model,
@@ -139,7 +142,7 @@ std::vector<GeneratedFile> emit(const Profile& profile, std::string_view) {
         memories);
 }
 
-std::vector<EffectCase> cases(const EffectModel& model) {
+std::vector<EffectCase> cook_torrance_modified_cases(const EffectModel& model) {
     std::vector<EffectCase> out = common_effect_cases(model);
     const auto ports = model.inputs();
     const std::int64_t one = model.profile().one();
@@ -198,12 +201,12 @@ std::vector<EffectCase> cases(const EffectModel& model) {
 Effect cook_torrance_modified_effect();
 
 Effect cook_torrance_modified_effect() {
-    return {name,
+    return {"cook_torrance_modified",
             "F D G / (pi N.V), D a cubic of N.H, F a constant",
             "V. V. Khlebnikov, A. A. Yurov 2010",
-            make,
-            emit,
-            cases,
+            make_cook_torrance_modified,
+            emit_cook_torrance_modified,
+            cook_torrance_modified_cases,
             2.5,
             false};
 }

@@ -9,13 +9,13 @@
 namespace glint {
 namespace {
 
-constexpr std::string_view name = "lobe_select";
 constexpr int number_bits = 4;  ///< of the port `select`
 
 class LobeSelect final : public EffectModel {
 public:
     LobeSelect(const Profile& profile, std::vector<std::unique_ptr<GoldenModel>> models)
-        : EffectModel(name, profile, ports(profile, static_cast<int>(models.size())), {term_port("y", profile, 0)}),
+        : EffectModel("lobe_select", profile, ports(profile, static_cast<int>(models.size())),
+                      {term_port("y", profile, 0)}),
           models_(std::move(models)) {
         for (const auto& model : models_) units_.push_back(lobe_unit(*model));
     }
@@ -64,19 +64,20 @@ private:
 /// All lobes have the words of a shipped profile in common; of a custom one each has numbers of its own.
 void check_profile(const Profile& profile) {
     if (!profile.shipped()) {
-        throw Error(fmt::format("profile {} is not legal for the effect {}: p8, p12 or p16", profile.argument(), name));
+        throw Error(
+            fmt::format("profile {} is not legal for the effect lobe_select: p8, p12 or p16", profile.argument()));
     }
 }
 
-std::unique_ptr<EffectModel> make(const Profile& profile, std::string_view) {
+std::unique_ptr<EffectModel> make_lobe_select(const Profile& profile, std::string_view) {
     check_profile(profile);
     std::vector<std::unique_ptr<GoldenModel>> models;
     for (const Lobe& lobe : lobes()) models.push_back(lobe.golden(profile));
     return std::make_unique<LobeSelect>(profile, std::move(models));
 }
 
-std::vector<GeneratedFile> emit(const Profile& profile, std::string_view) {
-    const auto model = make(profile, "");
+std::vector<GeneratedFile> emit_lobe_select(const Profile& profile, std::string_view) {
+    const auto model = make_lobe_select(profile, "");
     const std::size_t count = lobes().size();
     const int O = profile.O;
     std::string slots, clocks;
@@ -176,7 +177,7 @@ std::vector<GeneratedFile> emit(const Profile& profile, std::string_view) {
     return made_of(std::move(file), std::move(parts), {"default", {}, slowest + block::lobe_select().clocks, 1});
 }
 
-std::vector<EffectCase> cases(const EffectModel& model) {
+std::vector<EffectCase> lobe_select_cases(const EffectModel& model) {
     std::vector<EffectCase> out = common_effect_cases(model);
     const std::int64_t one = model.profile().one();
     for (std::size_t k = 0; k < lobes().size(); ++k) {
@@ -194,6 +195,15 @@ std::vector<EffectCase> cases(const EffectModel& model) {
 
 Effect lobe_select_effect();
 
-Effect lobe_select_effect() { return {name, "the lobe of that number", "this project", make, emit, cases, 1.0, false}; }
+Effect lobe_select_effect() {
+    return {"lobe_select",
+            "the lobe of that number",
+            "this project",
+            make_lobe_select,
+            emit_lobe_select,
+            lobe_select_cases,
+            1.0,
+            false};
+}
 
 }  // namespace glint

@@ -146,14 +146,16 @@ private:
     std::vector<Feed> feeds_;  ///< of each port of shade
 };
 
-std::unique_ptr<Pixel> make(const Profile& profile, std::string_view lobe) {
+std::unique_ptr<Pixel> pixel_model(const Profile& profile, std::string_view lobe) {
     if (profile.F < W || profile.F > 29) {
         throw Error(fmt::format("F = {} is not legal for the effect pixel: {} to 29", profile.F, W));
     }
     return std::make_unique<Pixel>(profile, find_effect("shade").golden(profile, lobe));
 }
 
-std::unique_ptr<EffectModel> make_pixel(const Profile& profile, std::string_view lobe) { return make(profile, lobe); }
+std::unique_ptr<EffectModel> make_pixel(const Profile& profile, std::string_view lobe) {
+    return pixel_model(profile, lobe);
+}
 
 /// The bits of MASK whose effects read the dot product.
 std::int64_t readers(std::string_view dot, const Profile& profile, std::string_view lobe) {
@@ -170,7 +172,7 @@ std::int64_t readers(std::string_view dot, const Profile& profile, std::string_v
 }
 
 std::vector<GeneratedFile> emit_pixel(const Profile& profile, std::string_view lobe) {
-    const auto model = make(profile, lobe);
+    const auto model = pixel_model(profile, lobe);
     const EffectModel& shade = model->shade();
     std::vector<GeneratedFile> parts = find_effect("shade").emit(profile, lobe);
     const HardwareUnit& inner = *parts.front().unit;

@@ -36,7 +36,7 @@ std::string_view lasting(const std::string& name) {
     return names.try_emplace(name, name).first->second;
 }
 
-constexpr std::string_view channels[] = {"r", "g", "b"};
+constexpr std::string_view shade_channels[] = {"r", "g", "b"};
 
 /// The colours, in the order of their ports.
 enum Colour { ka, ia, kd, ks, i, colour_count };
@@ -86,7 +86,7 @@ private:
         }
         const auto colour = [&](Colour which, auto make) {
             const std::string_view name = colour_names[which];
-            for (const std::string_view channel : channels) {
+            for (const std::string_view channel : shade_channels) {
                 out.push_back(make(lasting(fmt::format("{}_{}", name, channel)), profile));
             }
         };
@@ -182,7 +182,7 @@ private:
             out.push_back({names[1][c], x.part[0].values[c], O});
             out.push_back({names[2][c], x.part[1].values[c], O});
         }
-        for (std::size_t c = 0; c < 3; ++c) out.push_back({channels[c], x.total[c], O});
+        for (std::size_t c = 0; c < 3; ++c) out.push_back({shade_channels[c], x.total[c], O});
         return out;
     }
 
@@ -224,14 +224,16 @@ private:
     std::size_t colours_[colour_count];            ///< the port of each colour's red
 };
 
-std::unique_ptr<Shade> make(const Profile& profile, std::string_view lobe) {
+std::unique_ptr<Shade> shade_model(const Profile& profile, std::string_view lobe) {
     std::vector<std::unique_ptr<EffectModel>> models;
     for (const Term& term : terms) models.push_back(find_effect(term.effect).golden(profile, lobe));
     const Profile named = profile.options.empty() ? with_options(profile, parse_lobe(lobe).options) : profile;
     return std::make_unique<Shade>(named, lobe, std::move(models));
 }
 
-std::unique_ptr<EffectModel> make_shade(const Profile& profile, std::string_view lobe) { return make(profile, lobe); }
+std::unique_ptr<EffectModel> make_shade(const Profile& profile, std::string_view lobe) {
+    return shade_model(profile, lobe);
+}
 
 /// The unit of a term, where MASK has its bit; else it counts as ready, and nothing comes.
 std::string slot(const Shade& shade, std::size_t t) {
@@ -288,7 +290,7 @@ std::string log_depth(int O) {
 }
 
 std::vector<GeneratedFile> emit_shade(const Profile& profile, std::string_view lobe) {
-    const auto shade = make(profile, lobe);
+    const auto shade = shade_model(profile, lobe);
     std::string slots, ports;
     std::int64_t diffuse = 0;
     for (std::size_t t = 0; t < term_count; ++t) {

@@ -8,10 +8,9 @@
 namespace glint {
 namespace {
 
-/// Integer bits beyond 1.0 of the term, and of the result.
-constexpr int E = 7;
-
 class Tint final : public EffectModel {
+    static constexpr int E = 7;  ///< integer bits beyond 1.0 of the term, and of the result
+
 public:
     explicit Tint(const Profile& profile)
         : EffectModel(

@@ -11,9 +11,6 @@
 namespace glint {
 namespace {
 
-/// The exponents whose power is taken of the cosine itself: 1 .. 6 and 8.
-constexpr bool is_power(double n) { return n == 1 || n == 2 || n == 3 || n == 4 || n == 5 || n == 6 || n == 8; }
-
 /// The real function. a = 0: the lobe; else the plain formula with that a, for study.
 double cayley_in_domain(double c, double n, int a) {
     if (c == 1.0) return 1.0;  // also for n = infinity, where m d would be NaN

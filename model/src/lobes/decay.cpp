@@ -6,7 +6,6 @@ namespace glint {
 namespace {
 
 using exp_log::nearest;
-using exp_log::Wide;
 using exp_log::wide_one;
 
 std::vector<int> own_numbers(int F, int O) {
@@ -16,7 +15,7 @@ std::vector<int> own_numbers(int F, int O) {
 }
 
 /// log2(-ln(1 - d)) at the begin of piece i of octave e, relative to the octave: between 0.4 and 3.5.
-Wide log_of_log(int A, int e, int i) {
+exp_log::Wide log_of_log(int A, int e, int i) {
     const int x = (1 << A) + i;
     if (e == 0) return exp_log::log2(exp_log::minus_log_1m(x, A + 1)) + wide_one;
     return exp_log::log2_1p(i, A) + exp_log::log2(exp_log::log_ratio(x, A + 1 + e));
@@ -50,8 +49,8 @@ std::vector<DecayFormat::Piece> fall_pieces(const DecayFormat& f) {
     const auto value = [&](int j) {
         if (j == count) return most;
         const int octave = 4 - (1 << f.W) + (j >> f.H);
-        const Wide above = exp_log::exp2_minus((1 << f.H) - (j & ((1 << f.H) - 1)), f.H);  // 2^(x - octave - 1)
-        const Wide t = octave + 1 >= 0 ? above << (octave + 1) : above >> -(octave + 1);
+        const exp_log::Wide above = exp_log::exp2_minus((1 << f.H) - (j & ((1 << f.H) - 1)), f.H);  // 2^(x - octave - 1)
+        const exp_log::Wide t = octave + 1 >= 0 ? above << (octave + 1) : above >> -(octave + 1);
         return std::min(nearest(wide_one - exp_log::exp_minus(t), f.O + f.G), most);
     };
     std::vector<DecayFormat::Piece> out(static_cast<std::size_t>(count));

@@ -10,6 +10,9 @@
 
 namespace glint {
 
+/// The exponents whose power is taken of the cosine itself: 1 .. 6 and 8.
+constexpr bool is_power(double n) { return n == 1 || n == 2 || n == 3 || n == 4 || n == 5 || n == 6 || n == 8; }
+
 /// The powers 1, 2, 4, 8, 16 of a fraction r = 0 .. 2^S by repeated squaring, each rounded to S bits.
 using Powers = std::array<std::int64_t, 5>;
 inline Powers powers_by_squaring(std::int64_t r, int S) {

@@ -10,9 +10,6 @@
 namespace glint {
 namespace {
 
-/// The exponents whose power is taken of the cosine itself: 1 .. 6 and 8.
-constexpr bool is_power(double n) { return n == 1 || n == 2 || n == 3 || n == 4 || n == 5 || n == 6 || n == 8; }
-
 double taylor_in_domain(double c, double n, int a) {
     if (c == 1.0) return 1.0;  // also for n = infinity, where x would be NaN
     const double d = 1.0 - c;
