@@ -4,6 +4,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <iterator>
 #include <map>
 #include <set>
@@ -79,8 +80,11 @@ Unit make_unit(const Options& options) {
 
 double parse_real(const std::string& text, std::string_view port) {
     double x = 0.0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), x);
-    if (error != std::errc{} || end != text.data() + text.size() || !std::isfinite(x)) {
+    const char* const last = text.data() + text.size();
+    const char* const first = text.data() + (text.starts_with('+') && !text.starts_with("+-") ? 1 : 0);
+    const auto [end, error] = std::from_chars(first, last, x);
+    if (error == std::errc::result_out_of_range) x = std::strtod(text.c_str(), nullptr);  // next to 0, or infinite
+    if (error == std::errc::invalid_argument || end != last || !std::isfinite(x)) {
         throw Error(fmt::format("--{} '{}' is not legal: a finite number", port, text));
     }
     return x;

@@ -54,10 +54,10 @@ inline Block parabola() { return (rounded() + rounded()).named("glint_parabola")
 inline Block log2() { return (step(3) + parabola() + step()).named("glint_log2"); }
 inline Block exp2() { return (step() + parabola() + step(2)).named("glint_exp2"); }
 inline Block sqrt(int root_bits) { return {"glint_sqrt", root_bits}; }
-/// Two products one after the other; a root of F + 2 bits; a quotient of F + 1 bits, by its own divider.
-inline Block cosine(int F) {
-    return (product() + step(2) + product() + step(6) + sqrt(F + 2) + step(F + 2)).named("glint_cosine");
-}
+/// Two products one after the other, and shifts.
+inline Block vectors() { return (product() + step(2) + product() + step(6)).named("glint_vectors"); }
+/// A root of F + 2 bits; a quotient of F + 1 bits, by its own divider.
+inline Block cosine(int F) { return (vectors() + sqrt(F + 2) + step(F + 2)).named("glint_cosine"); }
 /// H, then its cosines; the plain dot products are shorter.
 inline Block frame(int F) { return (step() + cosine(F)).named("glint_frame"); }
 inline Block attenuation() { return (log2() + step(2)).named("glint_attenuation"); }

@@ -5,6 +5,7 @@ $(GLINT_RTL)/blocks/glint_stream.v
 $(GLINT_RTL)/blocks/glint_multiplier.v
 $(GLINT_RTL)/blocks/glint_signed_multiplier.v
 $(GLINT_RTL)/blocks/glint_dot_product.v
+$(GLINT_RTL)/blocks/glint_vectors.v
 $(GLINT_RTL)/blocks/glint_sqrt.v
 $(GLINT_RTL)/blocks/glint_divider_restoring.v
 $(GLINT_RTL)/blocks/glint_divider_radix4.v

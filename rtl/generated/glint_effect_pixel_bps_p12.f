@@ -47,6 +47,7 @@ $(GLINT_RTL)/generated/glint_effect_shade_bps_p12.v
 $(GLINT_RTL)/blocks/glint_wait.v
 $(GLINT_RTL)/blocks/glint_signed_multiplier.v
 $(GLINT_RTL)/blocks/glint_dot_product.v
+$(GLINT_RTL)/blocks/glint_vectors.v
 $(GLINT_RTL)/blocks/glint_nearest.v
 $(GLINT_RTL)/blocks/glint_cosine.v
 $(GLINT_RTL)/blocks/glint_frame.v

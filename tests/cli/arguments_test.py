@@ -24,6 +24,8 @@ class Arguments(Case):
     def test_no_number(self):
         for name, value in (("--cos", "nan"), ("--cos", "1e400"), ("--cos", "inf")):
             self.refused("is not legal", "eval", "--n", "50", name, value)
+        self.equal(self.good("eval", "--n", "5", "--cos", "1e-400"), self.good("eval", "--n", "5", "--cos", "0"))
+        self.equal(self.good("eval", "--n", "5", "--cos", "+.5"), self.good("eval", "--n", "5", "--cos", "0.5"))
         for option in ("--max-error", "--clock", "--latency-ns", "--throughput"):
             for value in ("nan", "inf", "-1", "1e400"):
                 self.refused(f"{option} '{value}' is not legal", "choose", option, value)

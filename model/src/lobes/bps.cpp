@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bps.hpp"
 #include "lobe.hpp"
 
 namespace glint {
@@ -22,25 +23,10 @@ namespace {
 //
 // The largest of them, h1 q + 2^(S-1), is below 2^(K + S + 2) <= 2^62, and C 2^S <= 2^60: 64 bits are enough.
 
-/// The word lengths, and the constants at K fraction bits.
-struct BpsFormat {
+/// The polynomial, and the fraction before it.
+struct BpsFormat : BpsPolynomial {
     static constexpr std::string_view lobe = "bps";
-    int F = 0;                                  ///< fraction bits of the cosine, 8..30
-    int S = 0;                                  ///< fraction bits of the quotient, O..30
-    int K = 0;                                  ///< fraction bits of the constants, O..30
-    int O = 0;                                  ///< fraction bits of the output, 4..28
-    std::int64_t a = 0, b = 0, c1 = 0, d0 = 0;  ///< at K fraction bits
-
-    struct Steps {
-        std::int64_t D = 0, quotient = 0, h1 = 0, h2 = 0, y = 0;
-    };
-
-    /// The polynomial part: what follows the quotient.
-    void horner(Steps& x) const {
-        x.h1 = b + rnd(a * x.quotient, S);
-        x.h2 = c1 + rnd(x.h1 * x.quotient, S);
-        x.y = std::max<std::int64_t>(0, rnd(x.h2 * x.quotient + d0 * (std::int64_t{1} << S), S + K - O));
-    }
+    int F = 0;  ///< fraction bits of the cosine, 8..30
 
     Steps steps(int n, std::int64_t C) const {
         Steps x;
@@ -110,8 +96,8 @@ struct BpsFormat {
 /// do not change (h1 falls with the quotient and h2 at one h1 >= 0 rises, so equal ends mean equal throughout), y is
 /// monotone and an end is the largest. Stretches that cannot exceed `known` are not opened: there, with h1 and h2
 /// taken at whichever end is larger, y is bounded by max(h2) q + d0.
-std::int64_t largest_output(const BpsFormat& f, std::int64_t first, std::int64_t last, std::int64_t known) {
-    BpsFormat::Steps low, high;
+std::int64_t largest_output(const BpsPolynomial& f, std::int64_t first, std::int64_t last, std::int64_t known) {
+    BpsPolynomial::Steps low, high;
     low.quotient = first;
     high.quotient = last;
     f.horner(low);
@@ -127,24 +113,38 @@ std::int64_t largest_output(const BpsFormat& f, std::int64_t first, std::int64_t
     return largest_output(f, first, middle, known);
 }
 
-std::vector<int> bps_numbers(int F, int O) { return {F, O + 3, O + 3, O}; }
+}  // namespace
 
-BpsFormat bps_format(const Profile& profile) {
-    if (!profile.shipped()) check_custom(profile, BpsFormat::lobe, "F,S,K,O");
-    const std::vector<int> numbers = profile.shipped() ? bps_numbers(profile.F, profile.O) : profile.custom;
-    BpsFormat f{.F = profile.F, .O = profile.O};
-    f.S = in_range(BpsFormat::lobe, "S", numbers[1], f.O, 30);
-    f.K = in_range(BpsFormat::lobe, "K", numbers[2], f.O, 30);
+void BpsPolynomial::horner(Steps& x) const {
+    x.h1 = b + rnd(a * x.quotient, S);
+    x.h2 = c1 + rnd(x.h1 * x.quotient, S);
+    x.y = std::max<std::int64_t>(0, rnd(x.h2 * x.quotient + d0 * (std::int64_t{1} << S), S + K - O));
+}
+
+BpsPolynomial bps_polynomial(std::string_view who, const Profile& profile, int S, int K) {
+    BpsPolynomial f{.O = profile.O};
+    f.S = in_range(who, "S", S, f.O, 30);
+    f.K = in_range(who, "K", K, f.O, 30);
     f.a = quantize_constant(reference::bps_constants.a, f.K);
     f.b = quantize_constant(reference::bps_constants.b, f.K);
     f.c1 = quantize_constant(reference::bps_constants.c1, f.K);
     f.d0 = quantize_constant(reference::bps_constants.d0, f.K);
     const std::int64_t top = largest_output(f, 0, std::int64_t{1} << f.S, 0);
     if (top > (std::int64_t{1} << f.O)) {
-        throw Error(fmt::format("profile '{}' is not legal for bps: y reaches {}, above 2^O = {}; raise K",
-                                profile.argument(), top, std::int64_t{1} << f.O));
+        throw Error(fmt::format("profile '{}' is not legal for {}: y reaches {}, above 2^O = {}; raise K",
+                                profile.argument(), who, top, std::int64_t{1} << f.O));
     }
     return f;
+}
+
+namespace {
+
+std::vector<int> bps_numbers(int F, int O) { return {F, O + 3, O + 3, O}; }
+
+BpsFormat bps_format(const Profile& profile) {
+    if (!profile.shipped()) check_custom(profile, BpsFormat::lobe, "F,S,K,O");
+    const std::vector<int> numbers = profile.shipped() ? bps_numbers(profile.F, profile.O) : profile.custom;
+    return {bps_polynomial(BpsFormat::lobe, profile, numbers[1], numbers[2]), profile.F};
 }
 
 std::unique_ptr<GoldenModel> make_bps(const Profile& profile) {
