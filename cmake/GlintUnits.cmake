@@ -256,7 +256,8 @@ endfunction()
 
 # glint_effect_units(out prefix rtl effects lobes profiles masks): the units of effects. Those that are made of a lobe
 # are there for the first of `lobes`; for the others only blinn_phong at p12, which pictures use. Of shade and pixel there is a
-# unit for each of the masks, too; pixel is there at p12 alone. A last argument `axis`: the AXI4-Stream units of these.
+# unit for each of the masks, too; pixel is there at p12 alone, and so are lobes from vectors where `prefix` is empty. A last
+# argument `axis`: the AXI4-Stream units of these, but for pixel and lobes from vectors.
 function(glint_effect_units out prefix rtl effects lobes profiles masks)
   set(targets "")
   set(unit core)
@@ -280,6 +281,9 @@ function(glint_effect_units out prefix rtl effects lobes profiles masks)
       foreach(profile IN LISTS profiles)
         if(effect STREQUAL pixel AND (infix OR NOT profile STREQUAL p12))
           continue()  # what it has around shade is the same at every profile, and it is the largest unit
+        endif()
+        if(effect MATCHES "_vectors$" AND (infix OR (prefix STREQUAL "" AND NOT profile STREQUAL p12)))
+          continue()  # the others in ./test --all
         endif()
         string(REPLACE "," "_" name ${profile})
         set(of ${lobe})

@@ -54,6 +54,14 @@ LOBE_SELECT = [
     ("another_lobe", "right", "& {PLACE_W{unit_valid_i[i]}}", ""),
     ("clamped_lost", "right", "{done_above | clamped, done_tag, y}", "{clamped, done_tag, y}"),
 ]
+PIXEL = [
+    ("shade_is_not_asked", "in_turn", ".ready_i  (taken_i),", ".ready_i  (1'b1),"),
+    ("runs_on", "in_turn", ".CLOCKS(CLOCKS)\n    ) wait_others (\n        .clk_i   (clk_i),\n        .rst_ni  (rst_ni),\n        .enable_i(advance),",
+     ".CLOCKS(CLOCKS)\n    ) wait_others (\n        .clk_i   (clk_i),\n        .rst_ni  (rst_ni),\n        .enable_i(1'b1),"),
+    ("a_clock_late", "in_turn", ".CLOCKS(CLOCKS)\n    ) wait_others", ".CLOCKS(CLOCKS + 1)\n    ) wait_others"),
+    ("one_is_cut", "cut_right", "|sum[O+7:O] ?", "|sum[O+7:O+1] ?"),
+]
+PIXEL_WAIT = [("not_placed", "in_turn", "read_q  <= {A{1'b0}};", "read_q  <= read_q;")]
 ITERATIVE = [
     ("second_item", "capacity", "room = ITERATIVE ? ~|valid_q[CLOCKS-2:0] : 1'b1;", "room = 1'b1;"),
     ("tag_of_another", "in_turn", "if (advance & load) begin\n                    negative_q",

@@ -99,6 +99,11 @@ def write_model(task, folder):
         modules = {**needed("glint_effect_highlight", unit), task.top: text}
     else:
         modules = needed(task.top)
+    if task.kind == "pixel":  # the dot products: any number
+        text = modules["glint_frame"]
+        head = text[:text.index(");\n", text.index("module glint_frame")) + 3]
+        modules["glint_frame"] = head + "(* anyseq *) wire [8*F+15:0] any;\nassign {" + ", ".join(
+            re.findall(r"output wire +\[F\+1:0\] (\w+)", head)) + "} = any;\nendmodule\n"
     if task.edit:
         module, text, instead = task.edit
         modules[module] = axis.edited(module, modules[module], text, instead)

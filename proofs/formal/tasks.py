@@ -144,10 +144,11 @@ def tasks():
                     *planted(f"axis.{lobe}", wrapper, "axis", axis, 24, wrapper, bugs.WRAPPER)]
     out += of_shade()
     out += of_lobe_select()
+    out += of_pixel()
     out += of_lanes()
     for effect in EFFECTS:
         out += of_axis(effect)
-    for effect in (e for e in EFFECTS if e not in ("shade", "lobe_select", "pixel")):  # pixel is two of them in a row
+    for effect in (e for e in EFFECTS if e not in ("shade", "lobe_select", "pixel")):
         out += of_effect(effect)
     return out
 
@@ -211,6 +212,16 @@ def of_lobe_select():
     return [Task(f"{name}.order", HANDSHAKE + "; each result is that of its lobe", top, kind, small, "induction", 2),
             Task(f"{name}.cover", "not vacuous", top, kind, small, "cover", 24),
             *planted(name, top, kind, small, 24, top, bugs.LOBE_SELECT)]
+
+
+def of_pixel():
+    """The tasks of what stands before and behind shade in the effect pixel."""
+    name, top, kind = "effect.pixel", "glint_effect_pixel", "pixel"
+    small = {"W": 2, "F": 0, "O": 2, "WIDE": 1, "TAG_W": 1}  # 15 clocks, a memory of 16
+    return [Task(f"{name}.order", HANDSHAKE + "; what waits leaves with it; a pixel is cut", top, kind, small, "induction", 2),
+            Task(f"{name}.cover", "not vacuous", top, kind, small, "cover", 24),
+            *planted(name, top, kind, small, 40, top, bugs.PIXEL),
+            *planted(name, top, kind, small, 40, "glint_wait", bugs.PIXEL_WAIT)]
 
 
 def of_effect(effect):

@@ -336,7 +336,8 @@ TEST_CASE("obj: one definition of a line") {
         INFO(end.size() << ' ' << static_cast<int>(end[0]));
         CHECK(holds(obj_refusal(with_ends(square + "v nan 0 0\nf 1 2 3\n", end)), "test.obj:5: 'nan' is not legal"));
         const auto [model, warnings] =
-            obj("\xef\xbb\xbf\xef\xbb\xbf" + with_ends("v 5 5 5\n" + square + "# a \\\nf 2 3 4 \\\n 5\ng x\\\nf 2 3 4 # c\n", end));
+            obj("\xef\xbb\xbf\xef\xbb\xbf" +
+                with_ends("v 5 5 5\n" + square + "# a \\\nf 2 3 4 \\\n 5\ng x\\\nf 2 3 4 # c\n", end));
         CHECK(model.triangles.size() == 3);
         CHECK(warnings.empty());
         for (const Triangle& triangle : model.triangles) {
