@@ -145,6 +145,7 @@ void add_cost(CLI::App& app, Chosen& chosen) {
         command->add_option("--architecture", on_fpga.architecture,
                             "--fpga: architectures (docs/rtl.md), or all; else each lobe's default"),
         command->add_flag("--shell", on_fpga.shell, "--fpga: each unit, and its AXI4-Stream unit beside it"),
+        io::add_integer(*command, "--lanes", on_fpga.lanes, 2, 64, "--shell: also so many of these side by side"),
         command->add_option("--seeds", on_fpga.seeds, "--fpga: of place and route; the clock is the median")
             ->capture_default_str(),
     };

@@ -178,8 +178,9 @@ bool is_current(const Point& point, const std::string& rtl) {
     options.profile = point.profile;
     options.architecture = point.architecture;
     options.shell = !point.unit.empty();
+    options.lanes = point.lanes;
     const std::vector<PricedUnit> units = priced_units(options);
-    const PricedUnit& priced = point.unit == "axis" ? units.back() : units.front();
+    const PricedUnit& priced = units[point.unit == "lanes" ? 2 : point.unit == "axis" ? 1 : 0];
     std::vector<Source> sources = read_sources(rtl, priced.design);
     sources.push_back({"glint_harness.v", harness(priced.unit)});
     const Device& device = find_device(point.device);

@@ -12,7 +12,8 @@ namespace glint::fpga {
 struct Options {
     std::string lobe = "bps";  ///< a list; with `effect` the one that effects are made of
     std::string effect;        ///< a list, or all: effects instead of lobes
-    bool shell = false;        ///< of lobes each unit, and the AXI4-Stream unit around it
+    bool shell = false;        ///< each unit, and the AXI4-Stream unit around it
+    int lanes = 1;             ///< with `shell`, more than 1: also so many of that side by side
     std::string mask;          ///< a list: values of the parameter MASK of the effect shade; empty: the default ones
     std::string profile = "p12";
     std::string architecture;  ///< a list, or all; empty: the default one of each lobe

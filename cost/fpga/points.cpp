@@ -27,6 +27,7 @@ Json to_json(const Point& point) {
     out["profile"] = point.profile;
     if (!point.architecture.empty()) out["architecture"] = point.architecture;
     if (!point.unit.empty()) out["unit"] = point.unit;
+    if (point.lanes > 1) out["lanes"] = point.lanes;
     out["device"] = point.device;
     out["dsp"] = point.dsp;
     out["luts"] = point.resources.luts;
@@ -64,9 +65,16 @@ using Identity = std::tuple<std::string, std::string, int, std::string, std::str
 Identity identity(const Json& point, PriceFile file) {
     const auto text = [&](const char* key) { return point.at(key).get<std::string>(); };
     const bool dsp = point.at("dsp").get<bool>();
-    if (file != PriceFile::effects) {
-        const std::string unit = file == PriceFile::shells ? text("unit") : "";
-        return {text("lobe"), text("profile"), 0, text("architecture"), text("device"), dsp, unit};
+    if (file == PriceFile::lobes)
+        return {text("lobe"), text("profile"), 0, text("architecture"), text("device"), dsp, ""};
+    if (file == PriceFile::shells) {
+        return {point.value("effect", "") + " " + point.value("lobe", ""),
+                text("profile"),
+                point.value("mask", 0),
+                point.value("architecture", ""),
+                text("device"),
+                dsp,
+                fmt::format("{} {:2}", text("unit"), point.value("lanes", 1))};
     }
     return {text("effect"),
             point.value("lobe", ""),
@@ -89,9 +97,14 @@ Json read_points(const std::filesystem::path& path, PriceFile file) {
 /// Columns of a table that names the units.
 std::vector<std::string> names_of(const Point& point, PriceFile file) {
     if (file == PriceFile::lobes) return {point.lobe, point.profile, point.architecture};
-    if (file == PriceFile::shells) return {point.lobe, point.profile, point.architecture, point.unit};
-    return {point.effect, point.mask ? std::to_string(*point.mask) : "-", point.lobe.empty() ? "-" : point.lobe,
-            point.architecture.empty() ? point.profile : fmt::format("{} {}", point.profile, point.architecture)};
+    std::vector<std::string> out{
+        point.effect, point.mask ? std::to_string(*point.mask) : "-", point.lobe.empty() ? "-" : point.lobe,
+        point.architecture.empty() ? point.profile : fmt::format("{} {}", point.profile, point.architecture)};
+    if (file == PriceFile::shells) {
+        if (point.effect.empty()) out[0] = "-";
+        out.push_back(point.lanes > 1 ? fmt::format("{} lanes", point.lanes) : point.unit);
+    }
+    return out;
 }
 
 }  // namespace
@@ -149,18 +162,20 @@ std::vector<Point> named_points(const std::filesystem::path& path) {
     const Json prices = Json::parse(io::read_file(path), nullptr, false);
     try {
         const bool of_shells = prices.at("format") == format_of(PriceFile::shells);
-        const bool of_lobes = of_shells || prices.at("format") == format_of(PriceFile::lobes);
-        if (!of_lobes && prices.at("format") != format_of(PriceFile::effects)) throw Error("another format");
+        const bool of_lobes = prices.at("format") == format_of(PriceFile::lobes);
+        if (!of_lobes && !of_shells && prices.at("format") != format_of(PriceFile::effects))
+            throw Error("another format");
         std::vector<Point> out;
         for (const Json& point : prices.at("points")) {
             Point named;
-            if (!of_lobes) named.effect = point.at("effect");
+            if (!of_lobes) named.effect = of_shells ? point.value("effect", "") : point.at("effect").get<std::string>();
             if (point.contains("mask")) named.mask = point["mask"].get<int>();
             named.lobe = of_lobes ? point.at("lobe").get<std::string>() : point.value("lobe", "");
             named.profile = point.at("profile");
             named.architecture =
                 of_lobes ? point.at("architecture").get<std::string>() : point.value("architecture", "");
             if (of_shells) named.unit = point.at("unit");
+            named.lanes = point.value("lanes", 1);
             named.device = point.at("device");
             named.dsp = point.at("dsp");
             named.hash = point.at("hash");
@@ -175,9 +190,9 @@ std::vector<Point> named_points(const std::filesystem::path& path) {
 }
 
 std::string name_of(const Point& point) {
-    const PriceFile file = !point.effect.empty() ? PriceFile::effects
-                           : point.unit.empty()  ? PriceFile::lobes
-                                                 : PriceFile::shells;
+    const PriceFile file = !point.unit.empty()     ? PriceFile::shells
+                           : !point.effect.empty() ? PriceFile::effects
+                                                   : PriceFile::lobes;
     return fmt::format("{} {}{}", fmt::join(names_of(point, file), " "), point.device,
                        find_device(point.device).has_dsps && !point.dsp ? " no DSPs" : "");
 }
@@ -186,10 +201,9 @@ std::string points_table(const std::vector<Point>& points, PriceFile file) {
     std::vector<std::vector<std::string>> rows;
     if (file == PriceFile::lobes) {
         rows.push_back({"lobe", "profile", "architecture"});
-    } else if (file == PriceFile::shells) {
-        rows.push_back({"lobe", "profile", "architecture", "unit"});
     } else {
         rows.push_back({"effect", "mask", "lobe", "profile"});
+        if (file == PriceFile::shells) rows[0].emplace_back("unit");
     }
     for (const char* heading : {"device", "dsp", "LUTs", "registers", "carries", "DSPs", "BRAMs", "MHz", "latency",
                                 "interval", "ns", "M results/s"}) {

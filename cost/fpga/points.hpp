@@ -20,7 +20,8 @@ struct Point {
     std::string lobe;         ///< with its options; of an effect the one that it is made of, or empty
     std::string profile;
     std::string architecture;  ///< of an effect's unit empty where it is the default
-    std::string unit;          ///< of a file of shells: "core", or "axis": the AXI4-Stream unit around it
+    std::string unit;  ///< of a file of shells: "core"; "axis": the AXI4-Stream unit around it; "lanes": many of these
+    int lanes = 1;     ///< how many
     std::string device;
     bool dsp = false;     ///< products may use DSPs
     Resources resources;  ///< of the unit: those of the harness are taken off
@@ -44,7 +45,7 @@ struct Point {
 /// By tool: the version.
 using ToolVersions = std::map<std::string, std::string>;
 
-/// What a file holds, or a table: points of lobes' units, of effects', or of lobes' units without and with the shell.
+/// What a file holds, or a table: points of lobes' units, of effects', or of units without and with the shell.
 enum class PriceFile { lobes, effects, shells };
 
 /// "glint-cost-fpga-1", "glint-cost-effects-1", "glint-cost-shell-1"

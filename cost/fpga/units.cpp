@@ -102,17 +102,44 @@ PricedUnit lobe_unit_of(const std::string& name, const GoldenModel& model, const
     return out;
 }
 
-/// The AXI4-Stream unit around the priced one, in a module with the ports of the latter: its tag is tlast, and tuser is
-/// a constant, so that one bit travels along in both.
-PricedUnit in_shell(PricedUnit core, const std::vector<GeneratedFile>& files) {
+/// The AXI4-Stream unit around the priced one, or so many of them side by side, in a module with the ports of the
+/// latter: its tag is tlast, and tuser is a constant, so that one bit travels along in all. `files`: of the priced one.
+PricedUnit in_shell(PricedUnit core, const std::vector<GeneratedFile>& files, int lanes) {
     std::vector<GeneratedFile> all = with_axi_stream(files);
-    std::swap(all[0], all[1]);
+    if (lanes > 1) all = with_lanes(std::move(all), lanes);
+    std::swap(all[0], all[lanes > 1 ? 2 : 1]);
     Design design = design_of(all);
     std::string parameters = core.unit.parameters;
     const std::string tag = fmt::format(".TAG_W({})", tag_w);
     parameters.replace(parameters.find(tag), tag.size(), ".USER_W(1)");
-    const int cos_w = data_ports(core.unit)[1].width;
-    const int y_w = result_ports(core.unit)[0].width;
+    if (lanes > 1) parameters = fmt::format(".LANES({}), {}", lanes, parameters);
+
+    const std::vector<Port> ins = data_ports(core.unit);
+    std::vector<Port> outs = result_ports(core.unit);
+    outs.pop_back();  // clamped_o
+    std::vector<Port> inputs, results;
+    std::string taken, given, words, assigned;  // a word of 32 bits for each number, the first at the bottom
+    const auto lane = [&](const std::string& name, int k) {
+        return lanes == 1 || (k == lanes - 1 && name == "clamped_o") ? name : fmt::format("lane{}_{}", k, name);
+    };
+    for (int k = 0; k < lanes; ++k) {
+        for (const Port& port : ins) {
+            inputs.push_back({lane(port.name, k), port.width});
+            const std::string padding = port.width < 32 ? fmt::format("{}'d0, ", 32 - port.width) : "";
+            words = padding + inputs.back().name + (words.empty() ? "" : ", " + words);
+            taken += fmt::format("    input wire [{}:0] {},\n", port.width - 1, inputs.back().name);
+        }
+        const int low = k * 32 * static_cast<int>(outs.size());
+        for (std::size_t r = 0; r < outs.size(); ++r) {
+            results.push_back({lane(outs[r].name, k), outs[r].width});
+            const int bottom = low + 32 * static_cast<int>(r);
+            assigned +=
+                fmt::format("    assign {} = word[{}:{}];\n", results.back().name, bottom + outs[r].width - 1, bottom);
+        }
+        assigned += fmt::format("    assign {} = word[{}];\n", lane("clamped_o", k), low + 31);
+        if (k < lanes - 1) results.push_back({lane("clamped_o", k), 1});
+    }
+    for (const Port& port : results) given += fmt::format("    output wire [{}:0] {},\n", port.width - 1, port.name);
     design.generated.push_back(
         {"glint_shell.v", fmt::format(R"(`default_nettype none
 module glint_shell #(
@@ -122,32 +149,47 @@ module glint_shell #(
     input  wire             rst_ni,
     input  wire             valid_i,
     output wire             ready_o,
-    input  wire       [9:0] n_i,
-    input  wire     [{0}:0] cos_i,
-    input  wire [TAG_W-1:0] tag_i,
+{0}    input  wire [TAG_W-1:0] tag_i,
     output wire             valid_o,
     input  wire             ready_i,
-    output wire     [{1}:0] y_o,
-    output wire [TAG_W-1:0] tag_o,
+{1}    output wire [TAG_W-1:0] tag_o,
     output wire             clamped_o
 );
-    wire [31:0] word;
-    assign y_o       = word[{1}:0];
-    assign clamped_o = word[31];
-    {2} #({3}) axis (
-        .aclk(clk_i), .aresetn(rst_ni), .s_axis_tdata({{{4}'d0, cos_i, 22'd0, n_i}}), .s_axis_tuser(1'b0),
+    wire [{2}:0] word;
+{3}    {4} #({5}) axis (
+        .aclk(clk_i), .aresetn(rst_ni), .s_axis_tdata({{{6}}}), .s_axis_tuser(1'b0),
         .s_axis_tlast(tag_i), .s_axis_tvalid(valid_i), .s_axis_tready(ready_o), .m_axis_tdata(word), .m_axis_tuser(),
         .m_axis_tlast(tag_o), .m_axis_tvalid(valid_o), .m_axis_tready(ready_i)
     );
 endmodule
 `default_nettype wire
 )",
-                                      cos_w - 1, y_w - 1, module_of(design), parameters, 32 - cos_w)});
+                                      taken, given, 32 * lanes * static_cast<int>(outs.size()) - 1, assigned,
+                                      module_of(design), parameters, words)});
     core.design = std::move(design);
-    core.unit.module = "glint_shell";
-    core.unit.parameters = tag;
-    core.point.unit = "axis";
+    core.unit = stream_unit("glint_shell", inputs, results, tag_w);
+    core.point.unit = lanes > 1 ? "lanes" : "axis";
+    core.point.lanes = lanes;
+    const std::vector<Exchange> burst = core.burst;  // each lane is one input ahead of the one below
+    for (std::size_t i = 0; i < burst.size(); ++i) {
+        for (std::size_t k = 1; k < static_cast<std::size_t>(lanes); ++k) {
+            const Exchange& more = burst[(i + k) % burst.size()];
+            core.burst[i].in.insert(core.burst[i].in.end(), more.in.begin(), more.in.end());
+            core.burst[i].out.insert(core.burst[i].out.end(), more.out.begin(), more.out.end());
+        }
+    }
     return core;
+}
+
+/// Adds the unit; where the options ask for shells, also those around it. `files`: of the unit.
+void add(std::vector<PricedUnit>& units, PricedUnit unit, const Options& options,
+         const std::vector<GeneratedFile>& files) {
+    if (options.shell) unit.point.unit = "core";
+    units.push_back(std::move(unit));
+    if (!options.shell) return;
+    const PricedUnit core = units.back();
+    units.push_back(in_shell(core, files, 1));
+    if (options.lanes > 1) units.push_back(in_shell(core, files, options.lanes));
 }
 
 std::vector<PricedUnit> lobes_of(const Options& options, const std::string& lobes) {
@@ -164,10 +206,7 @@ std::vector<PricedUnit> lobes_of(const Options& options, const std::string& lobe
                 Architecture parameters = architecture;
                 if (architecture == default_architecture(lobe)) parameters.parameters.clear();  // the wrapper's own
                 const std::vector<GeneratedFile> files = lobe.emit(profile, architecture);
-                out.push_back(lobe_unit_of(name, *model, parameters, design_of(files)));
-                if (!options.shell) continue;
-                out.back().point.unit = "core";
-                out.push_back(in_shell(out.back(), files));
+                add(out, lobe_unit_of(name, *model, parameters, design_of(files)), options, files);
             }
         }
     }
@@ -295,13 +334,12 @@ std::vector<PricedUnit> effects_of(const Options& options) {
                 const int latency = files.front().unit->architectures[0].latency;
                 if (architecture.block) use_block_tables(files);
                 const Design design = design_of(files);
-                if (!masked(*effect)) {
-                    out.push_back(
-                        effect_unit(*effect, *model, design, options.lobe, architecture, latency, std::nullopt));
-                    continue;
-                }
-                for (const int mask : chosen) {
-                    out.push_back(effect_unit(*effect, *model, design, options.lobe, architecture, latency, mask));
+                const std::vector<std::optional<int>> of_effect =
+                    masked(*effect) ? std::vector<std::optional<int>>(chosen.begin(), chosen.end())
+                                    : std::vector<std::optional<int>>{std::nullopt};
+                for (const std::optional<int>& mask : of_effect) {
+                    add(out, effect_unit(*effect, *model, design, options.lobe, architecture, latency, mask), options,
+                        files);
                 }
             }
         }
@@ -312,9 +350,10 @@ std::vector<PricedUnit> effects_of(const Options& options) {
 }  // namespace
 
 std::vector<PricedUnit> priced_units(const Options& options) {
-    if (options.shell && (!options.effect.empty() || options.lobe.find(rival) != std::string::npos)) {
-        throw Error("--shell is not legal here: it is of the units of lobes");
+    if (options.shell && options.lobe.find(rival) != std::string::npos) {
+        throw Error(fmt::format("--shell is not legal here: {} has no AXI4-Stream unit", rival));
     }
+    if (options.lanes > 1 && !options.shell) throw Error("--lanes is not legal here: it is of --shell");
     if (!options.effect.empty()) return effects_of(options);
     if (!options.mask.empty())
         throw Error("--mask is not legal here: it is a parameter of the effects shade and pixel");

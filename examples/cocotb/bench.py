@@ -61,7 +61,7 @@ class Checker:
 
 
 @cocotb.test()
-async def stream(dut):
+async def core_stream(dut):
     """The core unit: glint_bps_p12."""
     dut.valid_i.value = dut.ready_i.value = 0
     await reset(dut.clk_i, dut.rst_ni)

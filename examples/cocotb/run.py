@@ -11,7 +11,10 @@ import subprocess
 import sys
 from pathlib import Path
 
-from cocotb.runner import get_results, get_runner
+try:
+    from cocotb_tools.runner import get_results, get_runner  # cocotb 2
+except ImportError:
+    from cocotb.runner import get_results, get_runner
 
 HERE = Path(__file__).resolve().parent
 
@@ -41,7 +44,7 @@ def main():
              if line.startswith("$")]
     runner = get_runner(options.sim)
     runner.build(verilog_sources=files, hdl_toplevel=module, build_dir=options.folder / module, timescale=("1ns", "1ps"), always=True)
-    results = runner.test("bench", module, testcase="axi_stream" if options.unit == "axis" else "stream", seed=options.seed,
+    results = runner.test("bench", module, testcase="axi_stream" if options.unit == "axis" else "core_stream", seed=options.seed,
                           extra_env={"GLINT_LOBE": options.lobe, "GLINT_PROFILE": options.profile,
                                      "GLINT_COUNT": str(options.count), "PYTHONPATH": str(HERE)})
     tests, failed = get_results(results)

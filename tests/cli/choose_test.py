@@ -388,6 +388,13 @@ class Prices(Case):
                          for c in [found["best"]] + found["runners_up"]]
                 self.equal(len(units), len(set(units)), f"{device} {arguments}")
 
+    def test_none_is_unpriced(self):
+        """On no device without DSP blocks could a unit be better that is priced elsewhere alone."""
+        for device in ("hx8k", "up5k", "ecp5", "xc7"):
+            for arguments in (("--max-error", "0.004", "--n", "8:512"), ("--max-error", "0.001"), ("--max-error", "0.0003")):
+                self.good("choose", "--data", ROOT / "cost/data", "--json", "out.json", "--device", device, "--no-dsp", *arguments)
+                self.equal(json.loads(self.read("out.json"))["unpriced"], [], f"{device} {arguments}")
+
     def test_decay(self):
         """What the lobe of tables is held to, over all n: an error, LUTs, block RAMs, MHz, clocks."""
         figures = [  # device, DSPs, error, LUTs, block RAMs, MHz, clocks

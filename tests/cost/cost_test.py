@@ -86,7 +86,8 @@ class Refusals(Cost):
             self.equal(path.read_text(), text)
         text = '{"format": "glint-cost-fpga-1", "tools": {}, "points": []}'
         path.write_text(text)
-        self.refused("--shell is not legal here: it is of the units of lobes", "cost", "--fpga", "--shell", "--effect", "lambert", *RTL)
+        self.refused("--shell is not legal here: table has no AXI4-Stream unit", "cost", "--fpga", "--shell", "--lobe", "table", *RTL)
+        self.refused("--lanes is not legal here: it is of --shell", "cost", "--fpga", "--lanes", "2", *RTL)
         self.refused("is not of the format glint-cost-effects-1", "cost", "--fpga", "--effect", "lambert", *RTL,
                      "--device", "xc7", "--json", "prices.json")
         self.equal(path.read_text(), text)
@@ -315,21 +316,27 @@ class Committed(Cost):
         self.again(committed, points, names, SMALL)
 
     def test_prices_of_the_shell(self):
-        """Two register slices: two clocks, and at least a register for each bit on the way in and out, twice."""
-        names = ("lobe", "profile", "architecture", "device", "dsp", "unit")
+        """Two register slices: two clocks, and at least a register for each bit on the way in and out, twice; lanes: so many."""
+        names = ("effect", "mask", "lobe", "profile", "architecture", "device", "dsp", "unit", "lanes")
         _, points = self.read_committed("shell", names)
-        bare = {name[:-1]: price for name, price in points.items() if name[-1] == "core"}
-        lobes = {tuple(p[name] for name in names[:-1]): p for p in json.loads((ROOT / "cost/data/fpga.json").read_text())["points"]}
-        self.equal(2 * len(bare), len(points))
+        bare = {name[:-2]: price for name, price in points.items() if name[-2] == "core"}
+        known = {}
+        for file in ("fpga", "effects"):
+            for p in json.loads((ROOT / f"cost/data/{file}.json").read_text())["points"]:
+                known[tuple(p.get(name) for name in names[:-2])] = p
+        self.true({"core", "axis"} <= {name[-2] for name in points}, "units")
         for name, price in points.items():
-            self.equal(price["luts"] >= bare[name[:-1]]["luts"], True, name)
-            if name[-1] == "core":
-                self.equal(price["hash"], lobes[name[:-1]]["hash"], name)
+            core, lanes = bare[name[:-2]], price.get("lanes", 1)
+            if name[-2] == "core":
+                if name[:-2] in known:
+                    self.equal(price["hash"], known[name[:-2]]["hash"], name)
                 continue
-            self.equal(price["latency"], bare[name[:-1]]["latency"] + 2, name)
-            self.equal(price["interval"], bare[name[:-1]]["interval"], name)
-            F, O = {"p8": (16, 8), "p12": (18, 12)}[price["profile"]]
-            self.true(price["registers"] - bare[name[:-1]]["registers"] >= 2 * (10 + F + 2 + 1 + O + 1 + 1 + 1), f"{name}")
+            self.true(price["luts"] >= lanes * core["luts"] * 0.9, f"{name}")
+            self.equal(price["latency"], core["latency"] + 2, name)
+            self.equal(price["interval"], core["interval"], name)
+            if price.get("lobe") and not price.get("effect") and lanes == 1:
+                F, O = {"p8": (16, 8), "p12": (18, 12)}[price["profile"]]
+                self.true(price["registers"] - core["registers"] >= 2 * (10 + F + 2 + 1 + O + 1 + 1 + 1), f"{name}")
 
     def test_prices_of_effects_are_those_of_the_verilog(self):
         names = ("effect", "mask", "lobe", "profile", "architecture", "device", "dsp")

@@ -134,18 +134,20 @@ def forms(_):
 
 
 def shells(_):
-    """What glint_axis adds to a unit, on each device of shell.json."""
-    points = {(p["lobe"], p["profile"], p["architecture"], p["device"], p["dsp"], p["unit"]): p for p in data("shell.json")}
+    """What the AXI4-Stream shell adds to a unit, and lanes of it, on each device of shell.json."""
+    names = ("effect", "mask", "lobe", "profile", "architecture", "device", "dsp")
+    points = {(*(p.get(name) for name in names), p["unit"], p.get("lanes", 1)): p for p in data("shell.json")}
     rows = []
-    for (*name, unit), shelled in points.items():
-        if unit != "axis":
+    for (*name, unit, lanes), shelled in points.items():
+        if unit == "core":
             continue
-        bare = points[(*name, "core")]
-        lobe, profile, architecture, device, dsp = name
-        rows.append([f"`{lobe}` {profile}, {architecture}, {device}{', DSPs' if dsp else ''}",
+        bare = points[(*name, "core", 1)]
+        effect, mask, lobe, profile, architecture, device, dsp = name
+        of = f"`{effect or lobe}`" + (f" MASK {mask}" if mask else "")
+        rows.append([f"{of} {profile}, {architecture + ', ' if architecture else ''}{device}{', DSPs' if dsp else ''}", str(lanes),
                      *(f"{bare[key]}, {shelled[key]}" for key in ("luts", "registers", "latency")),
                      f"{bare['clock_mhz']:.0f}, {shelled['clock_mhz']:.0f}"])
-    return [["unit", "LUTs: without, with", "registers", "clocks", "MHz"], ["---", "--:", "--:", "--:", "--:"], *rows]
+    return [["unit", "lanes", "LUTs: without, with", "registers", "clocks", "MHz"], ["---", "--:", "--:", "--:", "--:", "--:"], *rows]
 
 
 def cheapest(most, device="hx8k", dsp=False):
