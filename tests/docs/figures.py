@@ -146,7 +146,7 @@ def shells(_):
         of = f"`{effect or lobe}`" + (f" MASK {mask}" if mask else "")
         rows.append([f"{of} {profile}, {architecture + ', ' if architecture else ''}{device}{', DSPs' if dsp else ''}", str(lanes),
                      *(f"{bare[key]}, {shelled[key]}" for key in ("luts", "registers", "latency")),
-                     f"{bare['clock_mhz']:.0f}, {shelled['clock_mhz']:.0f}"])
+                     ", ".join(f"{p['clock_mhz']:.0f}" if p["fits"] else "does not fit" for p in (bare, shelled))])
     return [["unit", "lanes", "LUTs: without, with", "registers", "clocks", "MHz"], ["---", "--:", "--:", "--:", "--:", "--:"], *rows]
 
 
