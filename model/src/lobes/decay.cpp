@@ -49,7 +49,8 @@ std::vector<DecayFormat::Piece> fall_pieces(const DecayFormat& f) {
     const auto value = [&](int j) {
         if (j == count) return most;
         const int octave = 4 - (1 << f.W) + (j >> f.H);
-        const exp_log::Wide above = exp_log::exp2_minus((1 << f.H) - (j & ((1 << f.H) - 1)), f.H);  // 2^(x - octave - 1)
+        const exp_log::Wide above =
+            exp_log::exp2_minus((1 << f.H) - (j & ((1 << f.H) - 1)), f.H);  // 2^(x - octave - 1)
         const exp_log::Wide t = octave + 1 >= 0 ? above << (octave + 1) : above >> -(octave + 1);
         return std::min(nearest(wide_one - exp_log::exp_minus(t), f.O + f.G), most);
     };
