@@ -89,8 +89,9 @@ build() {
     shift
     mkdir -p build
     log=build/$preset.log
-    if command -v ccache > /dev/null; then  # objects of another clone will do, wherever that is
-        export CMAKE_CXX_COMPILER_LAUNCHER=ccache CCACHE_BASEDIR=$PWD CCACHE_NOHASHDIR=1
+    if command -v ccache > /dev/null; then  # also of another clone, but for what has its headers read once
+        export CMAKE_CXX_COMPILER_LAUNCHER=ccache CCACHE_BASEDIR=$PWD CCACHE_NOHASHDIR=1 \
+            CCACHE_SLOPPINESS=pch_defines,time_macros
     fi
     echo "== building: $preset (log: $log)"
     if ! { cmake --preset "$preset" && cmake --build --preset "$preset" ${1:+--target "$@"}; } > "$log" 2>&1; then
