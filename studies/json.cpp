@@ -114,7 +114,7 @@ Json settles(const Study& study, double median) {
     return out == 0 ? Json() : Json(out);
 }
 
-Json to_json(const Summary& s, Json by_n) {
+Json summary_json(const Summary& s, Json by_n) {
     return {{"largest", rounded(s.largest)}, {"n", s.n}, {"median", rounded(s.median)}, {"by_n", std::move(by_n)}};
 }
 
@@ -123,8 +123,8 @@ Json to_json(const StudiedLobe& lobe, bool of_paper) {
     const Summary delta = study.delta(paper::first_n, paper::last_n);
     const auto all = forms();
     const auto form = std::find_if(all.begin(), all.end(), [&](const Form& f) { return f.lobe == lobe.lobe->name; });
-    Json absolute = to_json(study.absolute(paper::first_n, paper::last_n),
-                            column(study.rows, [](const StudyRow& row) { return row.absolute.value; }));
+    Json absolute = summary_json(study.absolute(paper::first_n, paper::last_n),
+                                 column(study.rows, [](const StudyRow& row) { return row.absolute.value; }));
     absolute["below"] = rounded(study.absolute(1, paper::first_n - 1).largest);
     Json out{{"name", lobe.lobe->name},
              {"symbol", symbol(lobe.lobe->name)},
@@ -135,7 +135,7 @@ Json to_json(const StudiedLobe& lobe, bool of_paper) {
              {"zero", nullptr},
              {"cycles", form == all.end() ? Json() : cycles(form->count(), zen4_double)},
              {"settles", settles(study, delta.median)},
-             {"delta", to_json(delta, column(study.rows, [](const StudyRow& row) { return row.delta.value; }))},
+             {"delta", summary_json(delta, column(study.rows, [](const StudyRow& row) { return row.delta.value; }))},
              {"absolute", std::move(absolute)}};
     if (lobe.zero) {
         out["zero"] = {
