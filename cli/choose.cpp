@@ -20,7 +20,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-struct Options {
+struct ChooseOptions {
     std::string data = "cost/data";
     std::string device = "hx8k";
     std::string n = "all";
@@ -44,7 +44,7 @@ struct Wish {
     bool is_switch() const { return option.find('{') == std::string::npos; }
 };
 
-std::vector<Wish> wishes(const Options& o) {
+std::vector<Wish> wishes(const ChooseOptions& o) {
     std::vector<Wish> out;
     const auto wish = [&](const char* option, Metric metric, double bound) {
         out.push_back({option, {metric, bound}});
@@ -250,7 +250,7 @@ std::string without_clocks(const std::vector<Configuration>& all, const std::str
     return fmt::format("prices on {} are resources alone, without a clock: {} says nothing there\n", device, option);
 }
 
-int run_choose(Options options, const std::string& command) {
+int run_choose(ChooseOptions options, const std::string& command) {
     io::check_writable(options.json);
     const Metric best_in = find_metric(options.minimize).metric;
     const std::vector<Wish> wanted = wishes(options);
@@ -343,7 +343,7 @@ int run_choose(Options options, const std::string& command) {
 }  // namespace
 
 void add_choose(CLI::App& app, Chosen& chosen) {
-    auto o = std::make_shared<Options>();
+    auto o = std::make_shared<ChooseOptions>();
     CLI::App* command = app.add_subcommand("choose", "The cheapest lobe, profile and architecture that will do");
     command->add_option("--max-error", o->max_error, "Largest absolute error against c^n");
     command->add_option("--n", o->n, "Exponents that the error is over: first:last or all")->capture_default_str();

@@ -17,7 +17,7 @@ using namespace cost;
 
 namespace {
 
-struct Options {
+struct CostOptions {
     bool fpga = false, check = false, accuracy = false, grid = false;
     /// Where they are empty, what they do not name is each part's own default.
     std::string lobe, effect, mask, profile, device, json;
@@ -29,7 +29,7 @@ struct Options {
     CLI::Option* dsp = nullptr;
 };
 
-/// Options of another part are not passed over in silence.
+/// CostOptions of another part are not passed over in silence.
 void refuse(const std::vector<CLI::Option*>& options, bool legal, const std::string& where) {
     for (const CLI::Option* option : options) {
         if (!legal && option->count() > 0) throw Error(option->get_name() + " is not legal here: it is " + where);
@@ -40,7 +40,7 @@ void set(std::string& value, const std::string& given) {
     if (!given.empty()) value = given;
 }
 
-int run_cost(Options options, const std::string& command) {
+int run_cost(CostOptions options, const std::string& command) {
     if (options.fpga + options.check + options.accuracy + options.grid > 1) {
         throw Error("--fpga, --check, --accuracy and --grid are not legal together: one of them");
     }
@@ -114,7 +114,7 @@ int run_cost(Options options, const std::string& command) {
 }  // namespace
 
 void add_cost(CLI::App& app, Chosen& chosen) {
-    auto o = std::make_shared<Options>();
+    auto o = std::make_shared<CostOptions>();
     CLI::App* command = app.add_subcommand("cost", "What accuracy costs: errors beside cells, clocks and latency");
     command->add_flag("--fpga", o->fpga, "Price units instead: synthesize, place and route (docs/cost.md)");
     command->add_flag("--check", o->check, "Instead, which prices are missing or of other Verilog (of --json)");

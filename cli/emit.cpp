@@ -15,7 +15,7 @@
 namespace glint::cli {
 namespace {
 
-struct Options {
+struct EmitOptions {
     std::string effect;
     std::string lobe = "bps";
     std::string profile = "p12";
@@ -61,7 +61,7 @@ void write_units(const std::vector<HardwareUnit>& units, const std::filesystem::
 }
 
 /// Each file once, though several units may be made of it.
-void write(const std::vector<GeneratedFile>& all, const Options& options) {
+void write(const std::vector<GeneratedFile>& all, const EmitOptions& options) {
     const std::filesystem::path folder = options.folder;
     io::make_folder(options.folder);
     std::set<std::string> names;
@@ -94,7 +94,7 @@ void write_packages(const std::filesystem::path& rtl) {
     write(rtl / "Bender.yml", bender(units_of(files)));
 }
 
-int run_emit(const Options& options) {
+int run_emit(const EmitOptions& options) {
     if (options.target != "all" && options.target != "verilog" && options.target != "hls" &&
         options.target != "proof") {
         throw Error(fmt::format("target '{}' is not legal: verilog, hls, proof or all", options.target));
@@ -152,7 +152,7 @@ int run_emit(const Options& options) {
 }  // namespace
 
 void add_emit(CLI::App& app, Chosen& chosen) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<EmitOptions>();
     CLI::App* command = app.add_subcommand("emit", "Verilog wrappers, HLS constants and proof scripts of a profile");
     command->add_option("--effect", options->effect, "An effect instead of a lobe (phong, blinn_phong: of --lobe)");
     command->add_option("--lobe", options->lobe, "Lobe, with its options: polynomial:symmetric:0:-1:2")

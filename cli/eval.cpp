@@ -29,7 +29,7 @@ struct PortValues {
     std::map<std::string, std::string> reals, codes;
 };
 
-struct Options {
+struct EvalOptions {
     std::string effect;
     PortValues ports;
     std::string lobe = "bps";
@@ -68,7 +68,7 @@ struct Unit {
     }
 };
 
-Unit make_unit(const Options& options) {
+Unit make_unit(const EvalOptions& options) {
     if (!options.effect.empty()) {
         return {nullptr, find_effect(options.effect).golden(parse_profile(options.profile), options.lobe)};
     }
@@ -129,7 +129,7 @@ std::string described(std::span<const EffectPort> ports, const Codes& codes) {
 }
 
 /// n and the cosine's code of a lobe, from the command line.
-Codes lobe_input(const GoldenModel& model, const Options& options, bool has_code) {
+Codes lobe_input(const GoldenModel& model, const EvalOptions& options, bool has_code) {
     if (has_code) return {options.n, options.cos_code};
     const double cosine = parse_real(options.cosine, "cos");
     const std::int64_t code = quantize_cosine(cosine, model.profile().F);
@@ -155,7 +155,7 @@ std::string inputs(const Unit& unit, const Codes& in, nlohmann::ordered_json& js
     return fmt::format("{} {} {}", model.effect(), model.profile().name, described(model.inputs(), in));
 }
 
-int show(const Unit& unit, const Codes& in, const Options& options, const std::string& command) {
+int show(const Unit& unit, const Codes& in, const EvalOptions& options, const std::string& command) {
     const EffectModel& model = *unit.model;
     unit.check(in, options.port);
     const EffectResult result = model.eval_port(in);
@@ -291,7 +291,7 @@ private:
     fmt::memory_buffer text_;
 };
 
-/// Options for every port that any effect has, but n, which `glint eval` has anyway. They are not listed in the help,
+/// EvalOptions for every port that any effect has, but n, which `glint eval` has anyway. They are not listed in the help,
 /// for they would not fit a screen.
 void add_port_options(CLI::App& command, PortValues& values) {
     std::set<std::string> names;
@@ -314,7 +314,7 @@ void add_port_options(CLI::App& command, PortValues& values) {
 }  // namespace
 
 void add_eval(CLI::App& app, Chosen& chosen) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<EvalOptions>();
     CLI::App* command = app.add_subcommand("eval", "One input with every intermediate value, or a stream of inputs");
     CLI::Option* effect =
         command->add_option("--effect", options->effect, "An effect: --<port> x or --<port>-code c for each input");

@@ -10,7 +10,7 @@
 namespace glint::cli {
 namespace {
 
-struct Options {
+struct FitOptions {
     std::string variable = "schlick";
     int degree = 3;
     std::string method = "least-squares";
@@ -21,7 +21,7 @@ struct Options {
     std::string json;
 };
 
-int run_fit(const Options& options, const std::string& command) {
+int run_fit(const FitOptions& options, const std::string& command) {
     FitRequest request;
     request.variable = parse_variable(options.variable);
     request.degree = options.degree;
@@ -64,7 +64,7 @@ int run_fit(const Options& options, const std::string& command) {
 }  // namespace
 
 void add_fit(CLI::App& app, Chosen& chosen) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<FitOptions>();
     CLI::App* command = app.add_subcommand("fit", "Fit a polynomial in a rational variable to Blinn-Phong");
     command->add_option("--variable", options->variable, "schlick: c/(n-nc+c); symmetric: (1+c)/((1+c)+2n(1-c))")
         ->capture_default_str();

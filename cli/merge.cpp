@@ -8,13 +8,13 @@
 namespace glint::cli {
 namespace {
 
-struct Options {
+struct MergeOptions {
     std::vector<std::string> files;
     std::string csv;
     std::string json;
 };
 
-int run_merge(const Options& options, const std::string& command) {
+int run_merge(const MergeOptions& options, const std::string& command) {
     io::check_writable(options.csv, options.json);
     const io::Merged merged = io::merge_shards(options.files);
     if (!options.csv.empty()) io::write_file(options.csv, io::to_csv(merged.runs));
@@ -37,7 +37,7 @@ int run_merge(const Options& options, const std::string& command) {
 }  // namespace
 
 void add_merge(CLI::App& app, Chosen& chosen) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<MergeOptions>();
     CLI::App* command = app.add_subcommand("merge", "The shards of a sweep or a cosimulation as one result");
     command->add_option("files", options->files, "What each --shard wrote with --json")->required();
     command->add_option("--csv", options->csv, "Write one row per n, and a total");

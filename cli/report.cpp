@@ -21,7 +21,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-struct Options {
+struct ReportOptions {
     std::vector<std::string> results;
     std::string proofs, cost, output = "report";
     StudyInputs study;
@@ -85,7 +85,7 @@ Json hard_cases_json(const std::vector<nlohmann::json>& results) {
     return {{"legend", hard_case_legend()}, {"tables", std::move(tables)}};
 }
 
-int run_report(const Options& options, const std::string& command) {
+int run_report(const ReportOptions& options, const std::string& command) {
     const auto json_of = [](const std::string& path) {
         return path.empty() ? nlohmann::json() : io::read_json(path, path);
     };
@@ -110,7 +110,7 @@ int run_report(const Options& options, const std::string& command) {
 }  // namespace
 
 void add_report(CLI::App& app, Chosen& chosen) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<ReportOptions>();
     CLI::App* command =
         app.add_subcommand("report", "The page of measured results: which unit to take, errors, proofs, papers");
     command->add_option("--results", options->results, "JSON files of glint-cosim or glint sweep")->required();

@@ -22,12 +22,12 @@ studies::Costs costs(std::optional<cost::CpuPrices> prices) {
     };
 }
 
-struct Options {
+struct StudyOptions {
     StudyInputs inputs;
     std::string json;
 };
 
-int run_study(const Options& options, const std::string& command) {
+int run_study(const StudyOptions& options, const std::string& command) {
     io::check_writable(options.json);
     const studies::Findings found = find(options.inputs);
     if (!options.json.empty()) {
@@ -58,7 +58,7 @@ void add_options(CLI::App& command, StudyInputs& inputs) {
 }
 
 void add_study(CLI::App& app, Chosen& chosen) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<StudyOptions>();
     CLI::App* command = app.add_subcommand("study", "What the two papers claim, held against what is measured");
     add_options(*command, options->inputs);
     command->add_option("--json", options->json, "Write claims, errors of all lobes and the points of all figures");

@@ -14,7 +14,7 @@
 namespace glint::cli {
 namespace {
 
-struct Options {
+struct SweepOptions {
     std::string lobe = "bps";
     std::string profile = "p12";
     std::string n = "all";
@@ -74,7 +74,7 @@ int run_plan(const std::vector<Work>& work, std::uint64_t cores) {
     return io::success;
 }
 
-int run_sweep(Options& options, const std::string& command) {
+int run_sweep(SweepOptions& options, const std::string& command) {
     io::check_writable(options.csv, options.json);
     std::vector<Work> work;
     std::vector<std::string> keys;
@@ -114,7 +114,7 @@ int run_sweep(Options& options, const std::string& command) {
 }  // namespace
 
 void add_sweep(CLI::App& app, Chosen& chosen) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<SweepOptions>();
     CLI::App* command =
         app.add_subcommand("sweep", "Errors of a golden model over ranges of inputs, per n and in total");
     command->add_option("--lobe", options->lobe, "Lobes, separated by commas, or all")->capture_default_str();

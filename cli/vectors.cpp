@@ -11,7 +11,7 @@
 namespace glint::cli {
 namespace {
 
-struct Options {
+struct VectorsOptions {
     std::string effect;
     std::string lobe = "bps";
     std::string profile = "p12";
@@ -22,7 +22,7 @@ struct Options {
 };
 
 /// Writes the file of vectors and its manifest.
-void write(const Options& options, const std::string& command, const nlohmann::ordered_json& unit,
+void write(const VectorsOptions& options, const std::string& command, const nlohmann::ordered_json& unit,
            const Profile& profile, std::size_t corners, const std::string& vectors) {
     const std::string name = fmt::format("glint_{}{}_{}", unit.contains("effect") ? "effect_" : "",
                                          unit.value("effect", unit.value("lobe", std::string())), profile.name);
@@ -44,7 +44,7 @@ void write(const Options& options, const std::string& command, const nlohmann::o
     fmt::print("{}.{}: {} vectors, seed {}\n", path.string(), options.format, options.count, options.seed);
 }
 
-int run_vectors(const Options& options, const std::string& command) {
+int run_vectors(const VectorsOptions& options, const std::string& command) {
     const VectorFormat format = parse_vector_format(options.format);
     io::make_folder(options.folder);
     if (options.effect.empty()) {
@@ -74,7 +74,7 @@ int run_vectors(const Options& options, const std::string& command) {
 }  // namespace
 
 void add_vectors(CLI::App& app, Chosen& chosen) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<VectorsOptions>();
     CLI::App* command = app.add_subcommand("vectors", "Test vectors with the golden results, and a JSON manifest");
     command->add_option("--lobe", options->lobe, "Lobes, separated by commas")->capture_default_str();
     command->add_option("--effect", options->effect, "An effect instead of a lobe (phong, blinn_phong: of --lobe)");

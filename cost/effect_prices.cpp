@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "cost/prices.hpp"
 #include "glint/error.hpp"
 #include "io/command.hpp"
 #include "io/json_node.hpp"
@@ -12,25 +13,23 @@
 namespace glint::cost {
 namespace {
 
-constexpr int most = 100'000'000;
-
 fpga::Point read_point(const io::JsonNode& node) {
     fpga::Point out;
     out.effect = node.word("effect");
-    if (node.has("mask")) out.mask = node.integer("mask", 0, most);
+    if (node.has("mask")) out.mask = node.integer("mask", 0, largest_count);
     if (node.has("lobe")) out.lobe = node.text("lobe");
     out.profile = node.text("profile");
     if (node.has("architecture")) out.architecture = node.text("architecture");
     out.device = node.word("device");
     out.dsp = node.boolean("dsp");
-    out.resources.luts = node.integer("luts", 0, most);
-    out.resources.registers = node.integer("registers", 0, most);
-    out.resources.carries = node.integer("carries", 0, most);
-    out.resources.dsps = node.integer("dsps", 0, most);
-    out.resources.brams = node.integer("brams", 0, most);
+    out.resources.luts = node.integer("luts", 0, largest_count);
+    out.resources.registers = node.integer("registers", 0, largest_count);
+    out.resources.carries = node.integer("carries", 0, largest_count);
+    out.resources.dsps = node.integer("dsps", 0, largest_count);
+    out.resources.brams = node.integer("brams", 0, largest_count);
     out.routed = node.has("fits");
     out.fits = out.routed && node.boolean("fits");
-    if (out.fits) out.cells = node.integer("cells", 0, most);
+    if (out.fits) out.cells = node.integer("cells", 0, largest_count);
     if (out.routed && !out.fits) out.why = node.text("why");
     out.harness_limits = node.has("harness_limits") && node.boolean("harness_limits");
     out.clocks_mhz = node.numbers("clock_mhz_seeds");
@@ -39,8 +38,8 @@ fpga::Point read_point(const io::JsonNode& node) {
     if (node.has("unrouted_seeds")) {
         for (const double seed : node.numbers("unrouted_seeds")) out.unrouted_seeds.push_back(static_cast<int>(seed));
     }
-    out.latency = node.integer("latency", 1, most);
-    out.interval = node.integer("interval", 1, most);
+    out.latency = node.integer("latency", 1, largest_count);
+    out.interval = node.integer("interval", 1, largest_count);
     out.hash = node.word("hash");
     return out;
 }

@@ -14,8 +14,6 @@
 namespace glint::cost {
 namespace {
 
-constexpr int most = 100'000'000;
-
 std::optional<double> optional_number(const io::JsonNode& node, const char* key) {
     return node.has(key) ? std::optional(node.number(key)) : std::nullopt;
 }
@@ -49,15 +47,15 @@ Price read_fpga_point(const io::JsonNode& node) {
         out.error_from_8 = error.number("max_n8");
     }
     if (!out.fits) return out;
-    c.luts = node.integer("luts", 0, most);
-    c.registers = node.integer("registers", 0, most);
-    c.carries = node.integer("carries", 0, most);
-    c.dsps = node.integer("dsps", 0, most);
-    c.brams = node.integer("brams", 0, most);
+    c.luts = node.integer("luts", 0, largest_count);
+    c.registers = node.integer("registers", 0, largest_count);
+    c.carries = node.integer("carries", 0, largest_count);
+    c.dsps = node.integer("dsps", 0, largest_count);
+    c.brams = node.integer("brams", 0, largest_count);
     c.clock_mhz = optional_number(node, "clock_mhz");
     if (c.clock_mhz == 0.0) node.fail("clock_mhz", "above 0, or null");
-    c.latency = node.integer("latency", 1, most);
-    c.interval = node.integer("interval", 1, most);
+    c.latency = node.integer("latency", 1, largest_count);
+    c.interval = node.integer("interval", 1, largest_count);
     return out;
 }
 
@@ -91,15 +89,15 @@ void read_hls_file(const std::string& path, Prices& data) {
         c.architecture = node.has("form") ? fmt::format("hls:{}", node.word("form")) : "hls";
         c.device = "ecp5-25k";
         c.dsp = true;
-        c.carries = node.integer("ccu2c", 0, most);
-        c.luts = node.integer("lut4", 0, most) + 2 * c.carries;
-        c.registers = node.integer("ff", 0, most);
-        c.dsps = node.integer("mult18", 0, most);
-        c.brams = node.integer("dp16kd", 0, most);
+        c.carries = node.integer("ccu2c", 0, largest_count);
+        c.luts = node.integer("lut4", 0, largest_count) + 2 * c.carries;
+        c.registers = node.integer("ff", 0, largest_count);
+        c.dsps = node.integer("mult18", 0, largest_count);
+        c.brams = node.integer("dp16kd", 0, largest_count);
         c.clock_mhz = optional_number(node, "clock_mhz");
         if (c.clock_mhz == 0.0) node.fail("clock_mhz", "above 0, or null");
-        c.latency = node.integer("cycles", 1, most);
-        c.interval = node.integer("interval", 1, most);
+        c.latency = node.integer("cycles", 1, largest_count);
+        c.interval = node.integer("interval", 1, largest_count);
         data.hls.push_back(price);
     }
 }

@@ -11,6 +11,9 @@
 
 namespace glint::cost {
 
+/// No price of a file is larger: LUTs, registers, clocks.
+inline constexpr int largest_count = 100'000'000;
+
 /// A price of cost/data/fpga.json: `configuration` without its error.
 struct Price {
     Configuration configuration;

@@ -23,7 +23,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 using namespace render;
 
-struct Options {
+struct RenderOptions {
     std::string scene;
     std::string engine = "fixed";
     std::string lobe = "bps";
@@ -188,7 +188,7 @@ std::uint64_t unequal_pixels(const Picture& a, const Picture& b) {
 }
 
 /// What the float picture of --compare shows, if not the same as the others.
-Plan other_plan(const Options& options, const Job& job) {
+Plan other_plan(const RenderOptions& options, const Job& job) {
     Scene scene = job.scene;
     if (!options.against_model.empty()) {
         const LightingModel& model = *find_model(options.against_model);
@@ -224,7 +224,7 @@ void check_apart(const std::string& json, const std::vector<std::filesystem::pat
     }
 }
 
-int run_render(const Options& options, const std::string& command) {
+int run_render(const RenderOptions& options, const std::string& command) {
     if (options.engine != "float" && options.engine != "fixed" && options.engine != "rtl") {
         throw Error(fmt::format("--engine '{}' is not legal: float, fixed, rtl", options.engine));
     }
@@ -371,7 +371,7 @@ int run_render(const Options& options, const std::string& command) {
 }  // namespace
 
 void add_render(CLI::App& app, Chosen& chosen) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<RenderOptions>();
     CLI::App* command = app.add_subcommand("render", "A picture of a scene through the effects it calls for");
     command->add_option("scene", options->scene, "A scene NAME.json or a model NAME.obj")->required();
     command->add_option("-o,--output", options->output, "The picture, NAME.png")->required();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <numbers>
 #include <vector>
 
 #include "glint/accuracy.hpp"
@@ -12,6 +13,7 @@ namespace glint::studies {
 /// The angles at which real functions are compared: 0 to 90 degrees, a hundred to the degree.
 inline constexpr int angles = 9001;
 inline constexpr double degrees_per_angle = 0.01;
+inline constexpr double degree = std::numbers::pi / 180.0;  ///< in radians
 
 /// The largest absolute error over all `angles`, against c^n, and where it lies.
 struct AngleError {

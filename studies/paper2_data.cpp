@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+
+#include "studies/curves.hpp"
 
 namespace glint::studies {
 namespace {
 
 constexpr int points = 901;
-constexpr double degree = std::numbers::pi / 180.0;
 
 /// The light at 0.5 rad, the viewer at 0.4, neither in a plane with the other: no branch of the formulas is cut off.
 paper2::Scene scene() {

@@ -3,14 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <numbers>
 
 #include "glint/reference.hpp"
+#include "studies/curves.hpp"
 
 namespace glint::studies {
 namespace {
-
-constexpr double degree = std::numbers::pi / 180.0;
 
 StudiedLobe studied(const Lobe& lobe) {
     StudiedLobe out{&lobe, study(lobe), lobe.reference(1.0, shape_n), lobe.reference(0.0, shape_n), {}};
