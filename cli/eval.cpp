@@ -291,9 +291,9 @@ private:
     fmt::memory_buffer text_;
 };
 
-/// EvalOptions for every port that any effect has, but n, which `glint eval` has anyway. They are not listed in the help,
-/// for they would not fit a screen.
-void add_port_options(CLI::App& command, PortValues& values) {
+/// Options for the ports of effects, but n, which `glint eval` has anyway: those that the command line names, for all of them
+/// would take longer than a result. They are not listed in the help, for they would not fit a screen.
+void add_port_options(CLI::App& command, PortValues& values, const std::string& command_line) {
     std::set<std::string> names;
     for (const Effect& effect : effects()) {
         const auto model = effect.golden(shipped_profiles().front(), "bps");
@@ -301,6 +301,7 @@ void add_port_options(CLI::App& command, PortValues& values) {
     }
     names.erase("n");
     for (const std::string& name : names) {
+        if (command_line.find("--" + name) == std::string::npos) continue;
         command
             .add_option_function<std::string>("--" + name, [&, name](const std::string& x) { values.reals[name] = x; })
             ->group("");
@@ -333,7 +334,7 @@ void add_eval(CLI::App& app, Chosen& chosen) {
     from_stdin->excludes(json);
     n->default_str("");  // neither has a default
     code->default_str("");
-    add_port_options(*command, options->ports);
+    command->preparse_callback([=, &chosen](std::size_t) { add_port_options(*command, options->ports, chosen.command); });
     cosine->excludes(code);
     effect->excludes(cosine)->excludes(code);
     from_stdin->excludes(n)->excludes(cosine)->excludes(code);

@@ -1,7 +1,7 @@
 # GLINT_EFFECTS and GLINT_ARCHITECTURES may be empty.
 include(${CMAKE_CURRENT_LIST_DIR}/common.cmake)
 foreach(list GLINT_EFFECTS GLINT_ARCHITECTURES)
-  configure(${GLINT} -D${list}= -DGLINT_PROFILES=p8 -DGLINT_TESTS=ON)
+  configure(${GLINT} -D${list}= -DGLINT_PROFILES=p8 -DGLINT_LOBES=bps -DGLINT_TESTS=ON)
   commands(glint-cosim)
   string(FIND "${commands}" "/verilate.sh " units)
   if(units EQUAL -1)

@@ -93,7 +93,7 @@ class Refusals(Cost):
         self.equal(path.read_text(), text)
 
 
-class Effects(Cost):
+class EffectPrices(Cost):
     """Prices of effects, and the table of them."""
 
     def test_prices_and_table(self):
@@ -119,6 +119,8 @@ class Effects(Cost):
         self.equal(one, [printed.splitlines()[0], printed.splitlines()[2]])
         self.refused("'./effects.json' has no such point: effect ward", "cost", "--effect", "ward", "--data", ".")
 
+
+class EffectFiles(Cost):
     def test_a_file_that_is_not_legal(self):
         point = {"effect": "lambert", "profile": "p8", "device": "hx8k", "dsp": False, "luts": 1, "registers": 1,
                  "carries": 1, "dsps": 0, "brams": 0, "fits": True, "cells": 2, "clock_mhz_seeds": [50.0], "latency": 2,
@@ -259,14 +261,11 @@ class Failures(Cost):
         self.failed("yosys", "exit 4", r"\S*/yosys -V did not tell its version, exit status 4: ''", "--device", "xc7")
 
 
-class Committed(Cost):
-    def test_all_are_of_this_verilog(self):
-        for file in ("fpga", "effects", "shell"):
-            path = ROOT / "cost/data" / f"{file}.json"
-            count = len(json.loads(path.read_text())["points"])
-            said = self.good("cost", "--check", "--json", path, *RTL)
-            self.equal(said.splitlines()[-1], f"{path}: {count} prices, 0 of other Verilog or options")
+LOBE_NAMES = ("lobe", "profile", "architecture", "device", "dsp")
+EFFECT_NAMES = ("effect", "mask", "lobe", "profile", "architecture", "device", "dsp")
 
+
+class CommittedFiles(Cost):
     def median(self, price):
         seeds = sorted(price["clock_mhz_seeds"])
         if seeds:
@@ -274,21 +273,20 @@ class Committed(Cost):
             median = seeds[middle] if len(seeds) % 2 else (seeds[middle - 1] + seeds[middle]) / 2
             self.near(price["clock_mhz"], median, 0.011)
 
-    def again(self, committed, points, names, unit):
-        """A small unit's prices without and with place and route, as they are in the committed file."""
-        for device, exact in (("xc7", []), ("hx8k", ["--seeds", "1"])):
-            self.cost(*unit, *RTL, "--device", device, "--json", f"{device}.json", *exact)
-            found = json.loads(self.read(f"{device}.json"))
-            for tool, version in found["tools"].items():
-                if committed["tools"].get(tool) != version:
-                    self.skipTest(f"the committed prices are of {tool} {committed['tools'].get(tool)}, not {version}")
-            self.equal(len(found["points"]), 1)
-            here = found["points"][0]
-            there = points[tuple(here.get(name) for name in names)]
-            for name in ("luts", "registers", "carries", "dsps", "brams", "latency", "interval"):
-                self.equal(here[name], there[name], f"{device}: {name}")
-            if here["clock_mhz_seeds"]:
-                self.equal(here["clock_mhz_seeds"][0], there["clock_mhz_seeds"][0], f"{device}: clock of seed 1")
+    def again(self, committed, points, names, unit, device):
+        """A small unit's price as it is in the committed file."""
+        self.cost(*unit, *RTL, "--device", device, "--json", f"{device}.json", *(["--seeds", "1"] if device != "xc7" else []))
+        found = json.loads(self.read(f"{device}.json"))
+        for tool, version in found["tools"].items():
+            if committed["tools"].get(tool) != version:
+                self.skipTest(f"the committed prices are of {tool} {committed['tools'].get(tool)}, not {version}")
+        self.equal(len(found["points"]), 1)
+        here = found["points"][0]
+        there = points[tuple(here.get(name) for name in names)]
+        for name in ("luts", "registers", "carries", "dsps", "brams", "latency", "interval"):
+            self.equal(here[name], there[name], f"{device}: {name}")
+        if here["clock_mhz_seeds"]:
+            self.equal(here["clock_mhz_seeds"][0], there["clock_mhz_seeds"][0], f"{device}: clock of seed 1")
 
     def read_committed(self, file, names):
         committed = json.loads((ROOT / "cost/data" / f"{file}.json").read_text())
@@ -299,25 +297,33 @@ class Committed(Cost):
             self.median(price)
         return committed, points
 
+
+class Committed(CommittedFiles):
+    def test_all_are_of_this_verilog(self):
+        for file in ("fpga", "effects", "shell"):
+            path = ROOT / "cost/data" / f"{file}.json"
+            count = len(json.loads(path.read_text())["points"])
+            said = self.good("cost", "--check", "--json", path, *RTL)
+            self.equal(said.splitlines()[-1], f"{path}: {count} prices, 0 of other Verilog or options")
+
     def test_clocks_that_are_bounds_are_named(self):
         bound = "up5k: nextpnr-ice40 counts no time inside a DSP"
         for device, named in (("up5k", True), ("hx8k", False), ("ecp5-25k", False)):
             self.equal(bound in self.good("cost", "--data", ROOT / "cost/data", "--device", device), named, device)
 
     def test_prices_are_those_of_the_verilog(self):
-        names = ("lobe", "profile", "architecture", "device", "dsp")
-        committed, points = self.read_committed("fpga", names)
+        committed, points = self.read_committed("fpga", LOBE_NAMES)
         for price in points.values():
             # Every lobe has products; where DSPs may be used one holds at least one of them. Those of decay
             # with up to 9 output bits may be too small for synthesis to take one.
             small = price["lobe"] == "decay" and price["profile"].split(",")[-1] in ("p8", "9")
             if price["dsp"] and price["lobe"] != "table" and not small:
                 self.true(price["dsps"] >= 1, f"no DSP: {price}")
-        self.again(committed, points, names, SMALL)
+        self.again(committed, points, LOBE_NAMES, SMALL, "hx8k")
 
     def test_prices_of_the_shell(self):
         """Two register slices: two clocks, and at least a register for each bit on the way in and out, twice; lanes: so many."""
-        names = ("effect", "mask", "lobe", "profile", "architecture", "device", "dsp", "unit", "lanes")
+        names = (*EFFECT_NAMES, "unit", "lanes")
         _, points = self.read_committed("shell", names)
         bare = {name[:-2]: price for name, price in points.items() if name[-2] == "core"}
         known = {}
@@ -339,8 +345,7 @@ class Committed(Cost):
                 self.true(price["registers"] - core["registers"] >= 2 * (10 + F + 2 + 1 + O + 1 + 1 + 1), f"{name}")
 
     def test_prices_of_effects_are_those_of_the_verilog(self):
-        names = ("effect", "mask", "lobe", "profile", "architecture", "device", "dsp")
-        committed, points = self.read_committed("effects", names)
+        committed, points = self.read_committed("effects", EFFECT_NAMES)
         shade = [price for price in points.values() if price["effect"] == "shade"]
         wider = [(a, b) for a in shade for b in shade if a["device"] == b["device"] and a["profile"] == b["profile"]
                  and a["mask"] != b["mask"] and a["mask"] & b["mask"] == a["mask"]]
@@ -349,7 +354,15 @@ class Committed(Cost):
             self.true(part["registers"] < whole["registers"] and part["latency"] <= whole["latency"],
                       f"{part} is no less than {whole}")
         self.equal({price["interval"] for price in points.values()}, {1})
-        self.again(committed, points, names, ["--effect", "lambert"])
+        self.again(committed, points, EFFECT_NAMES, ["--effect", "lambert"], "hx8k")
+
+
+class Devices(CommittedFiles):
+    """The same by synthesis alone, for another family: ./test --all."""
+
+    def test_prices_of_another_family(self):
+        for file, names, unit in (("fpga", LOBE_NAMES, SMALL), ("effects", EFFECT_NAMES, ["--effect", "lambert"])):
+            self.again(*self.read_committed(file, names), names, unit, "xc7")
 
 
 def main():

@@ -1,7 +1,9 @@
 #!/usr/bin/env python3
 """Every unit through a tool with all its warnings on: it must print nothing.
 
-    lint.py verilator|iverilog|yosys [--without p8,p16] FOLDER...     folders that hold a units.json; profiles to leave out
+    lint.py verilator|iverilog|yosys [--without p8,p16 | --modules] FOLDER...
+
+FOLDER holds a units.json; --without: profiles to leave out; --modules: the shared modules alone, and fewer damaged copies.
 
 The files of a unit are those of its list (.f), for Yosys those of the manifest. Also linted: the shared modules by
 themselves, with parameters at the ends of what is legal. At last, damaged copies of every unit of p12, about which the tool must
@@ -81,6 +83,8 @@ MODULES = {
 }
 # The wrappers, with every divider, and with products of several clocks.
 ARCHITECTURES = [{"DIVIDER": d, "MULTIPLIER_STAGES": m} for d, m in ((1, 1), (2, 3), (3, 2), (0, 4))]
+# Units that are linted and damaged with --modules.
+DAMAGED = ("glint_bps_p12", "glint_bps_axis_p12", "glint_effect_lambert_p12")
 
 
 class Failed(Exception):
@@ -158,7 +162,7 @@ def lint_timescale(folder):
         raise Failed("verilator says nothing about a file that has no `timescale")
 
 
-def lint(tool, without, folders):
+def lint(tool, without, modules_alone, folders):
     done = damaged = 0
     listed = set()
     with tempfile.TemporaryDirectory() as scratch:
@@ -167,7 +171,7 @@ def lint(tool, without, folders):
         for folder in map(Path, folders):
             for unit in units.units(folder).values():
                 listed.update(unit["files"])
-                if unit["profile"] in without:
+                if unit["profile"] in without or modules_alone and unit["name"] not in DAMAGED:
                     continue
                 lint_unit(tool, folder.resolve(), unit, scratch)
                 done += 1
@@ -177,7 +181,7 @@ def lint(tool, without, folders):
                 if unit["kind"] == "lobe_axis" and unit["lobe"] == "bps" and unit["F"] <= 20:
                     silent(command(tool, unit["name"], unit["files"], {"WORD_W": 32}))
                     done += 1
-                if unit["profile"] == "p12" and unit["kind"] == "lobe":
+                if unit["profile"] == "p12" and unit["kind"] == "lobe" and not modules_alone:
                     known = {parameter["name"] for parameter in unit["parameters"]}
                     for parameters in ARCHITECTURES if "DIVIDER" in known else [{"MULTIPLIER_STAGES": 3}]:
                         silent(command(tool, unit["name"], unit["files"], parameters))
@@ -204,7 +208,7 @@ def lint(tool, without, folders):
                 silent(command(tool, top, models + family_files, dict(zip(names.split(), values))))
                 modules += 1
     # Units of many parts with some of these; Verilator and Yosys want the number sized.
-    for name, masks in (("shade_bps", ()), ("pixel_bps", (3, 4, 10, 32, 64)), ("lobe_select", (0, 1, 5, 2048))):
+    for name, masks in () if modules_alone else (("shade_bps", ()), ("pixel_bps", (3, 4, 10, 32, 64)), ("lobe_select", (0, 1, 5, 2048))):
         unit = units.units()[f"glint_effect_{name}_p12"]
         bits = next(int(p["default"]) for p in unit["parameters"] if p["name"] == "MASK").bit_length()
         for mask in masks or (0, *(1 << bit for bit in range(bits)), (1 << bits) - 2):
@@ -222,13 +226,16 @@ def lint(tool, without, folders):
 def main():
     tool, *folders = sys.argv[1:]
     without = []
+    modules_alone = folders[:1] == ["--modules"]
+    if modules_alone:
+        del folders[0]
     if folders[:1] == ["--without"]:
         without, folders = folders[1].split(","), folders[2:]
     if tool not in ("verilator", "iverilog", "yosys") or not folders:
         print(f"lint.py: '{tool}' with {len(folders)} folders is not legal; see the head of this file", file=sys.stderr)
         return 2
     try:
-        lint(tool, without, folders)
+        lint(tool, without, modules_alone, folders)
     except Failed as failed:
         print(f"lint.py: FAILED: {failed}", file=sys.stderr)
         return 1

@@ -35,7 +35,7 @@ def main():
                 raise Failed(f"the last line is no `glint emit`: {line}")
             with tempfile.TemporaryDirectory() as folder:
                 run(glint, *line[1:-1], folder)
-                run(glint, "vectors", "--lobe", line[3], "--profile", "p12", "--count", "5000", "--format", "hex",
+                run(glint, "vectors", "--lobe", line[3], "--profile", "p12", "--count", "1500", "--format", "hex",
                     "-o", folder)
                 vectors = list(Path(folder).glob("*.hex"))
                 if len(vectors) != 1:

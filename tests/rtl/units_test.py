@@ -1,6 +1,9 @@
 #!/usr/bin/env python3
 """The benches of the dividers, glint_sqrt, glint_multiplier, glint_delay and glint_skid in Icarus, and bugs planted in
-copies of these modules, which the benches must find. With an argument, the unit of that name only."""
+copies of these modules, which the benches must find.
+
+    units_test.py [--long] [UNIT...]      default: all units; --long: more operands of dividers and multipliers
+"""
 
 import sys
 import tempfile
@@ -11,8 +14,10 @@ from icarus import RTL
 from units import modules, read
 
 HERE = Path(__file__).parent
-RANDOM_DIVISIONS = 2000
+LONG = sys.argv[1:2] == ["--long"]
+RANDOM_DIVISIONS = 10000 if LONG else 500
 RANDOM_ROOTS = 2000
+PRODUCTS = 10000 if LONG else 1000
 
 
 def exhaustive(X_W, Y_W, Q_W):
@@ -40,8 +45,8 @@ def of_lobe(F, S):
 
 
 # The least Q_W, the least and the greatest X_W, a divisor of one bit, more and fewer quotient bits than divisor bits.
-SMALL = ((3, 1, 2), (3, 2, 2), (4, 2, 2), (3, 4, 2), (7, 5, 2), (6, 1, 5), (10, 5, 5), (9, 6, 5), (11, 3, 8), (9, 7, 3),
-         (12, 6, 6), (9, 8, 3))
+SMALL = ((3, 1, 2), (3, 2, 2), (4, 2, 2), (3, 4, 2), (7, 5, 2), (6, 1, 5), (10, 5, 5), (9, 6, 5), (11, 3, 8),
+         *(((9, 7, 3), (12, 6, 6), (9, 8, 3)) if LONG else ()))
 LARGE = tuple(of_lobe(F, S) for F, S in ((16, 11), (18, 15), (20, 19), (8, 4), (30, 30)))
 
 
@@ -110,7 +115,7 @@ UNITS = {
     "multiplier": (
         "multiplier_tb", "glint_multiplier",
         "products",
-        [({"A_W": a, "B_W": b, "SIGNED": signed, "STAGES": stages, "PRODUCTS": 10000}, 10000)
+        [({"A_W": a, "B_W": b, "SIGNED": signed, "STAGES": stages, "PRODUCTS": PRODUCTS}, PRODUCTS)
          for a, b in ((1, 1), (3, 2), (18, 16), (19, 10), (11, 31), (33, 31)) for signed in (0, 1) for stages in (1, 2, 3, 4)],
         [
             (r"\{\{SLICE_W\{a_i\[A_W-1\]\}\}, a_i\}", "{{SLICE_W{1'b0}}, a_i}"),
@@ -168,7 +173,8 @@ UNITS = {
     ),
 }
 # Planted bugs are looked for with these parameters, an index of the list above.
-HUNTED = {"restoring": (6, 13), "radix4": (6, 13), "iterative": (6, 13), "reciprocal": (10, 13), "multiplier": (15,),
+LARGER = len(SMALL) + 1  # of LARGE
+HUNTED = {"restoring": (6, LARGER), "radix4": (6, LARGER), "iterative": (6, LARGER), "reciprocal": (8, LARGER), "multiplier": (15,),
           "sqrt": (3, 5), "delay": (3,), "skid": (1,)}
 
 
@@ -184,8 +190,10 @@ def check_family_divider(folder):
     """glint_divider_restoring of ecp5, by the contract of that for any device."""
     total = 0
     files = [*of_family("ecp5", modules()["glint_divider"]), HERE / "divider_tb.v"]
-    for parameters, expected in (divider(10, 5, 5), divider(9, 7, 3), divider(12, 6, 6, rows=4), divider(9, 8, 3),
-                                 *(divider(*widths, RANDOM_DIVISIONS) for widths in LARGE)):
+    small = (divider(10, 5, 5), divider(9, 6, 5, rows=4))
+    if LONG:
+        small += (divider(9, 7, 3), divider(12, 6, 6, rows=4), divider(9, 8, 3))
+    for parameters, expected in (*small, *(divider(*widths, RANDOM_DIVISIONS) for widths in LARGE)):
         icarus.build(Path(folder) / "bench", "divider_tb", files, parameters)
         icarus.require(icarus.run(Path(folder) / "bench"), "divisions", expected)
         total += expected
@@ -222,7 +230,7 @@ def check(unit, folder):
 
 
 def main():
-    units = sys.argv[1:] or list(UNITS)
+    units = sys.argv[2 if LONG else 1:] or list(UNITS)
     try:
         with tempfile.TemporaryDirectory() as folder:
             for unit in units:
