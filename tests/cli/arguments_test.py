@@ -38,7 +38,7 @@ class Arguments(Case):
 
     def test_echo(self):
         """A value is shown without what moves a cursor, and up to its 200th character."""
-        for arguments in (("eval", "--lobe"), ("eval", "--profile"), ("render", "-o", "a.png"), ("choose", "--clock"),
+        for arguments in (("eval", "--lobe"), ("eval", "--profile"), ("fit", "--theta"), ("choose", "--clock"),
                           ("eval", "--nothing"), ()):
             self.refused("a b \\[31m", *arguments, "a\nb\x1b[31m")
             done = self.run_tool(*arguments, "x" * 5000)
