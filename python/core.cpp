@@ -102,12 +102,12 @@ public:
             const auto cos_block = span_of(cos_code).subspan(first, size);
             if ((first == 0 || !one_n) && bits_of(n_block) > max_n) check(n_block, ports ? 0 : 1, max_n, "n", first);
             const auto packed_block = span_of(packed).subspan(first, size);
-            model_->eval_port_batch(n_block, cos_block, packed_block);
+            const bool corrected = model_->eval_port_batch(n_block, cos_block, packed_block);
             // A model corrects n = 0 and every cosine, and says so. So these checks can wait until the batch has
             // brought the codes into the cache; before it, memory would be waited for twice.
             if (ports) {
                 check(cos_block, -2 * one, 2 * one - 1, "cos_code", first);
-            } else if (bits_of(std::span<const std::uint32_t>(packed_block)) >> 31 != 0) {
+            } else if (corrected) {
                 check(n_block, 1, max_n, "n", first);
                 check(cos_block, 0, one, "cos_code", first);
             }

@@ -65,12 +65,15 @@ private:
     std::vector<Intermediate> intermediates(int n, std::int32_t cosine) const override {
         return {{"y", value(n, cosine), profile().O}};
     }
-    void batch(std::span<const std::uint16_t> n, std::span<const std::int32_t> cos_code,
+    bool batch(std::span<const std::uint16_t> n, std::span<const std::int32_t> cos_code,
                std::span<std::uint32_t> packed) const override {
+        bool clamped = false;
         for (std::size_t i = 0; i < n.size(); ++i) {
             const Corrected in = correct(n[i], cos_code[i], profile().one());
             packed[i] = pack({in.negative ? 0U : value(in.n, in.cosine), in.clamped});
+            clamped = clamped || in.clamped;
         }
+        return clamped;
     }
 
     TableFormat format_;

@@ -20,13 +20,13 @@ PortResult GoldenModel::eval_port(int n, std::int64_t cos_code) const {
     return {in.negative ? 0U : value(in.n, in.cosine), in.clamped};
 }
 
-void GoldenModel::eval_port_batch(std::span<const std::uint16_t> n, std::span<const std::int32_t> cos_code,
+bool GoldenModel::eval_port_batch(std::span<const std::uint16_t> n, std::span<const std::int32_t> cos_code,
                                   std::span<std::uint32_t> packed) const {
     if (n.size() != cos_code.size() || n.size() != packed.size()) {
         throw Error(
             fmt::format("batch lengths {}, {}, {} are not legal: all equal", n.size(), cos_code.size(), packed.size()));
     }
-    if (!n.empty()) batch(n, cos_code, packed);
+    return !n.empty() && batch(n, cos_code, packed);
 }
 
 std::vector<Intermediate> GoldenModel::trace(int n, std::int64_t cos_code) const {

@@ -45,7 +45,8 @@ public:
 
     /// eval_port for whole spans of one length, results packed. The caller keeps to what the ports can carry.
     /// Uses the vector lanes of the machine where the lobe has such a form. Throws Error when lengths differ.
-    void eval_port_batch(std::span<const std::uint16_t> n, std::span<const std::int32_t> cos_code,
+    /// Returns whether any input raised `clamped`.
+    bool eval_port_batch(std::span<const std::uint16_t> n, std::span<const std::int32_t> cos_code,
                          std::span<std::uint32_t> packed) const;
 
     /// Every intermediate value, in the contract's order, for an input that the ports can carry. Throws Error.
@@ -78,7 +79,7 @@ private:
     /// Ends with y.
     virtual std::vector<Intermediate> intermediates(int n, std::int32_t cosine) const = 0;
     /// Lengths are equal and not 0.
-    virtual void batch(std::span<const std::uint16_t> n, std::span<const std::int32_t> cos_code,
+    virtual bool batch(std::span<const std::uint16_t> n, std::span<const std::int32_t> cos_code,
                        std::span<std::uint32_t> packed) const = 0;
     void check_port_range(int n, std::int64_t cos_code) const;
 

@@ -58,8 +58,9 @@ struct BpsFormat : BpsPolynomial {
     ///   never reaches k, so truncation is the floor.
     /// - rnd(x, k) is x 2^-k + 2^-(k+1) to the nearest integer, which has no ties left; and to add 1.5 2^52 to a number
     ///   below 2^51 in magnitude rounds it to the nearest integer, since doubles from 2^52 to 2^53 are the integers.
-    static void lanes(const BpsFormat& f, const std::uint16_t* n, const std::int32_t* cos_code, std::uint32_t* packed,
-                      std::size_t count) {
+    static std::uint32_t lanes(const BpsFormat& f, const std::uint16_t* n, const std::int32_t* cos_code,
+                               std::uint32_t* packed, std::size_t count) {
+        std::uint32_t bits = 0;
         constexpr double shifter = 0x1.8p52;
         const std::int32_t one = std::int32_t{1} << f.F;
         const double two_S = std::ldexp(1.0, f.S);
@@ -71,7 +72,7 @@ struct BpsFormat : BpsPolynomial {
         const double b = static_cast<double>(f.b) - shifter;
         const double c1 = static_cast<double>(f.c1) - shifter;
         const double d0 = std::ldexp(static_cast<double>(f.d0), f.S - cut) + std::ldexp(1.0, -cut - 1);
-#pragma omp simd
+#pragma omp simd reduction(| : bits)
         for (std::size_t i = 0; i < count; ++i) {
             const std::int32_t code = cos_code[i];
             const std::int32_t exponent = n[i];
@@ -87,8 +88,11 @@ struct BpsFormat : BpsPolynomial {
             const double y = ((h2 * (q * inv_cut) + d0) + shifter) - shifter;
             const std::int32_t cut_y = static_cast<std::int32_t>(y);
             const std::uint32_t value = below || cut_y < 0 ? 0U : static_cast<std::uint32_t>(cut_y);
-            packed[i] = value | (below || above || none ? 0x8000'0000U : 0U);
+            const std::uint32_t result = value | (below || above || none ? 0x8000'0000U : 0U);
+            packed[i] = result;
+            bits |= result;
         }
+        return bits;
     }
 };
 

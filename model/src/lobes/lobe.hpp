@@ -25,8 +25,9 @@ namespace glint {
 ///   double real(double c, double n) const;        the real function, 0 <= c <= 1, n >= 1
 /// A lobe that is worth it adds loops for vector lanes (glint/lanes.hpp); PlainModel uses those that are there:
 ///   bool has_lanes() const;                       whether the word lengths fit the loop `lanes`
-///   static void lanes(const Format&, n, cos_code, packed, count);     eval_port and pack, element by element, on
-///                                                                     pointers as in GoldenModel::eval_port_batch
+///   static std::uint32_t lanes(const Format&, n, cos_code, packed, count);
+///                                                 eval_port and pack, element by element, on pointers as in
+///                                                 GoldenModel::eval_port_batch; all bits that occur in the results
 ///   static void real_lanes(double n, std::span<const double> c, std::span<double> out);     `real`
 template <class Format>
 class PlainModel final : public GoldenModel {
@@ -49,11 +50,13 @@ private:
     std::vector<Intermediate> intermediates(int n, std::int32_t cosine) const override {
         return f_.named(cosine, f_.steps(n, cosine));
     }
-    void batch(std::span<const std::uint16_t> n, std::span<const std::int32_t> cos_code,
+    bool batch(std::span<const std::uint16_t> n, std::span<const std::int32_t> cos_code,
                std::span<std::uint32_t> packed) const override {
+        std::uint32_t bits = 0;  // that occur in the results
         if constexpr (requires { f_.has_lanes(); }) {
             if (f_.has_lanes()) {
-                return with_lanes([&] { Format::lanes(f_, n.data(), cos_code.data(), packed.data(), n.size()); });
+                with_lanes([&] { bits = Format::lanes(f_, n.data(), cos_code.data(), packed.data(), n.size()); });
+                return bits >> 31 != 0;
             }
         }
         // Copies: the compiler knows then that no store changes them, and takes what they lead to out of the loop.
@@ -66,7 +69,9 @@ private:
         for (std::size_t i = 0; i < count; ++i) {
             const Corrected in = correct(n_in[i], cos_in[i], one);
             out[i] = pack({in.negative ? 0U : static_cast<std::uint32_t>(format.steps(in.n, in.cosine).y), in.clamped});
+            bits |= out[i];
         }
+        return bits >> 31 != 0;
     }
 
     Format f_;
