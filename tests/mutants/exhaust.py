@@ -1,0 +1,182 @@
+"""Every input of a pipelined unit, with each open fault: the same results?
+
+A unit without stalls is a function of its input: each of its registers takes over a value a clock, so a wire in its place
+gives the same numbers. Yosys makes gates of that function; exhaust.cpp runs them on every code of every port, legal or not.
+That speaks of a fault only if it is in the numbers: it must not reach an enable, valid_o or ready_o. So a fault that changes no result is equivalent, stalls and resets included: whatever a
+register holds is what it holds here, with the fault or without.
+"""
+
+import json
+import re
+import subprocess
+import sys
+
+from faults import HERE, Failed
+
+NO_NUMBERS = {"clk_i", "rst_ni", "valid_i", "ready_i", "tag_i"}
+OPS = {"$_AND_": "&", "$_OR_": "|", "$_XOR_": "^", "$_ANDNOT_": "d", "$_ORNOT_": "o", "$_NOT_": "!", "$_MUX_": "?"}
+WIRES = "".join(f"module \\{cell} ({', '.join(ports)}); parameter WIDTH = 1; parameter CLK_POLARITY = 1; parameter EN_POLARITY = 1;\n"
+                f"input CLK{', EN' if 'EN' in ports else ''}; input [WIDTH-1:0] D; output [WIDTH-1:0] Q; assign Q = D; endmodule\n"
+                for cell, ports in (("$dff", ("CLK", "D", "Q")), ("$dffe", ("CLK", "EN", "D", "Q"))))
+
+
+def in_numbers(faults, numbers):
+    """The faults of a unit that touch its numbers alone: number, and how `mutate` applies it. What changes a register's own value in
+    a stall is applied to the value that the register takes over: each later reader sees the one or the other."""
+    faults.yosys("read_rtlil unit.il\nwrite_json unit.json\n")
+    module = json.loads((faults.folder / "unit.json").read_text())["modules"][faults.module]
+    cells, readers, held = module["cells"], {}, {}
+    for name, cell in cells.items():
+        outputs = {"Y", "Q", "DATA", "RD_DATA", "mutant_o"}
+        for port, wires in cell["connections"].items():
+            for wire in wires if port not in outputs else ():
+                readers.setdefault(wire, []).append((name, port))
+        if cell["type"].startswith("$dff"):
+            held[tuple(cell["connections"]["D"])] = cell["connections"]["Q"]
+
+    def holds(cell):
+        """A multiplexer that keeps a register's value."""
+        return cell["type"] == "$mux" and held.get(tuple(cell["connections"]["Y"])) == cell["connections"]["A"]
+
+    steers = {wire for port in ("valid_o", "ready_o", "m_axis_tvalid", "s_axis_tready") for wire in module["ports"].get(port, {"bits": []})["bits"]}
+
+    def out(cell):
+        return [w for port in ("Y", "Q", "DATA", "RD_DATA") for w in cell["connections"].get(port, [])]
+
+    def applied(fault):
+        name, port = (re.search(rf"-{key} (\S+)", fault["apply"])[1] for key in ("cell", "port"))
+        cell = cells[name] if name in cells else cells[name.lstrip("\\")]
+        if holds(cell) and port == "S":
+            return None
+        todo, seen = out(cell), set()
+        while todo:
+            wire = todo.pop()
+            if wire in seen:
+                continue
+            seen.add(wire)
+            if wire in steers:
+                return None
+            for reader, at in readers.get(wire, ()):
+                if at in ("EN", "RD_EN", "WR_EN", "ARST", "SRST") or at == "S" and holds(cells[reader]):
+                    return None
+                todo += out(cells[reader])
+        return fault["apply"].replace("-port A", "-port B") if holds(cell) else fault["apply"]
+
+    out_of_all = {f["number"]: "" if "flip" in f else applied(f) for f in faults.faults if f["number"] in numbers}
+    return {number: text for number, text in out_of_all.items() if text is not None}
+
+
+def gates(faults, applied):
+    """The function of the unit as gates: inputs, gates in order, outputs, wires of the choice."""
+    chosen = [f for f in faults.faults if f["number"] in applied and "apply" in f]
+    ports = [p for p in faults.numbers["ports"] if not re.fullmatch("clk_i|rst_ni|valid_[io]|ready_[io]|tag_[io]", p["name"])]
+    given = "".join(f", input [{p['width'] - 1}:0] {p['name']}" for p in ports if p["direction"] == "input")
+    taken = "".join(f", output [{p['width'] - 1}:0] {p['name']}" for p in ports if p["direction"] == "output")
+    choices = [f"m_{f['number']}" for f in chosen]
+    named = "".join(f", .{name}({name})" for name in [p["name"] for p in ports] + choices)
+    (faults.folder / "top.v").write_text(
+        f"module top (input [15:0] mutant{given}{taken}{''.join(f', input {name}' for name in choices)});\n"
+        f"{faults.module} unit (.clk_i(1'b0), .rst_ni(1'b1), .valid_i(1'b1), .ready_i(1'b1), .tag_i(31'd0), .mutant(mutant){named});\nendmodule\n")
+    (faults.folder / "wires.v").write_text(WIRES)
+    # The instances of glint_mutant, which switch the faults of tables on, become an input.
+    text = (faults.folder / "unit.il").read_text()
+    text = re.sub(r"(?:  attribute .*\n)*  cell \\glint_mutant \S+\n    connect \\mutant_o (.+)\n  end\n", r"  connect \1 \\mutant\n", text)
+    text = re.sub(rf"(module \\{faults.module}\n)", r"\1  wire width 16 input 9999 \\mutant\n", text)
+    (faults.folder / "chosen.il").write_text(text)
+    script = "".join(f"mutate -ctrl m_{fault['number']} 1 1 -module {faults.module} {applied[fault['number']]}\n" for fault in chosen)
+    faults.yosys(f"""read_rtlil chosen.il
+{script}read_verilog top.v
+hierarchy -top top
+flatten
+opt_expr
+opt_clean
+memory
+opt_expr
+opt_clean
+techmap -map wires.v
+opt -full
+techmap
+opt -fast
+abc -fast -g AND,OR,XOR,ANDNOT,ORNOT,MUX
+opt_clean
+write_json gates.json
+""")
+    return json.loads((faults.folder / "gates.json").read_text())["modules"]["top"]
+
+
+def circuit(module, numbers, random):
+    """What exhaust.cpp reads."""
+    place, wires = {"0": 0, "1": 1, "x": 0}, []
+    inputs = [n for n, p in module["ports"].items() if p["direction"] == "input" and not re.fullmatch(r"mutant|m_\d+", n)]
+    for name in sorted(inputs, key=lambda n: n != "cos_i"):
+        wires += module["ports"][name]["bits"]
+    for wire in wires:
+        place[wire] = 2 + len(place) - 3
+    choices = {n: p["bits"] for n, p in module["ports"].items() if re.fullmatch(r"mutant|m_\d+", n)}
+    free = {wire for bits in choices.values() for wire in bits}
+    for wire in free:
+        place[wire] = 0
+    cells = {cell["connections"]["Y"][0]: (OPS[cell["type"]], [cell["connections"].get(p, ["0"])[0] for p in "ABS"])
+             for cell in module["cells"].values()}
+    ordered, state = [], {}
+    for root in cells:
+        stack = [(root, False)]
+        while stack:
+            wire, done = stack.pop()
+            if done:
+                if state[wire] != 2:
+                    state[wire] = 2
+                    ordered.append(wire)
+            elif wire in cells and state.get(wire) is None:
+                state[wire] = 1
+                stack.append((wire, True))
+                stack += [(w, False) for w in cells[wire][1] if w in cells and state.get(w) is None]
+    first = 2 + len(wires)
+    for i, wire in enumerate(ordered):
+        place[wire] = first + i
+    lines = [" ".join([cells[w][0], *(str(place[x]) for x in cells[w][1])]) for w in ordered]
+    outputs = [w for n, p in module["ports"].items() if p["direction"] == "output" for w in p["bits"]]
+    end, parts = first + len(ordered), []
+    for number in numbers:
+        value = {w: 1 for w in choices.get(f"m_{number}", [])}
+        if not value:
+            value = {w: number >> i & 1 for i, w in enumerate(choices["mutant"])}
+        value = {w: v for w, v in value.items() if v}
+        moved, cone = dict(value), []
+        for wire in ordered:
+            op, operands = cells[wire]
+            if any(x in moved for x in operands):
+                moved[wire] = end + len(cone)
+                cone.append(" ".join([op, *(str(moved.get(x, place[x])) for x in operands), str(end + len(cone))]))
+        changed = [w for w in outputs if w in moved]
+        parts.append("\n".join([f"{number} {len(cone)} {len(changed)}", *cone, *(f"{place[w]} {moved[w]}" for w in changed)]))
+    return f"inputs {len(wires)} random {random} gates {len(lines)} faults {len(parts)}\n" + "\n".join(lines + parts) + "\n", len(wires)
+
+
+def possible(faults):
+    """Few inputs, a result a clock."""
+    stated = next(a for a in faults.unit["architectures"] if a["name"] == faults.architecture)
+    bits = sum(p["width"] for p in faults.numbers["ports"] if p["direction"] == "input" and p["name"] not in NO_NUMBERS)
+    return faults.form == "core" and stated["interval"] == 1 and bits <= 28
+
+
+def legal(faults, told):
+    """Is an input of a lobe, cos_i its last bits, one of the exhaustive test? n = 0 gives what n = 1 does."""
+    width = next((p["width"] for p in faults.numbers["ports"] if p["name"] == "cos_i"), 0)
+    return not width or int(told[-width:], 2) <= 1 << (width - 2)
+
+
+def exhaust(faults, numbers, random=0):
+    """Number and the first input that tells the fault, "none" where none does, of those faults that are in the numbers."""
+    applied = in_numbers(faults, numbers)
+    if not applied:
+        return {}
+    text, inputs = circuit(gates(faults, applied), sorted(applied), random)
+    if inputs > 32 and not random:
+        raise Failed(f"{faults.name}: {inputs} bits of input are too many")
+    program = faults.folder / "exhaust"
+    subprocess.run(["g++", "-std=c++20", "-O3", "-march=native", HERE / "exhaust.cpp", "-o", program], check=True)
+    done = subprocess.run([program], input=text, capture_output=True, text=True)
+    if done.returncode != 0:
+        raise Failed(done.stderr)
+    return {int(number): found for number, found in map(str.split, done.stdout.splitlines())}
