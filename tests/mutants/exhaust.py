@@ -6,14 +6,14 @@ That speaks of a fault only if it is in the numbers: it must not reach an enable
 register holds is what it holds here, with the fault or without.
 """
 
+import functools
 import json
 import re
 import subprocess
-import sys
 
 from faults import HERE, Failed
 
-NO_NUMBERS = {"clk_i", "rst_ni", "valid_i", "ready_i", "tag_i"}
+MOST = 28  # bits of input that are tried
 OPS = {"$_AND_": "&", "$_OR_": "|", "$_XOR_": "^", "$_ANDNOT_": "d", "$_ORNOT_": "o", "$_NOT_": "!", "$_MUX_": "?"}
 WIRES = "".join(f"module \\{cell} ({', '.join(ports)}); parameter WIDTH = 1; parameter CLK_POLARITY = 1; parameter EN_POLARITY = 1;\n"
                 f"input CLK{', EN' if 'EN' in ports else ''}; input [WIDTH-1:0] D; output [WIDTH-1:0] Q; assign Q = D; endmodule\n"
@@ -104,60 +104,80 @@ write_json gates.json
     return json.loads((faults.folder / "gates.json").read_text())["modules"]["top"]
 
 
-def circuit(module, numbers, random):
-    """What exhaust.cpp reads."""
-    place, wires = {"0": 0, "1": 1, "x": 0}, []
-    inputs = [n for n, p in module["ports"].items() if p["direction"] == "input" and not re.fullmatch(r"mutant|m_\d+", n)]
-    for name in sorted(inputs, key=lambda n: n != "cos_i"):
-        wires += module["ports"][name]["bits"]
-    for wire in wires:
-        place[wire] = 2 + len(place) - 3
-    choices = {n: p["bits"] for n, p in module["ports"].items() if re.fullmatch(r"mutant|m_\d+", n)}
-    free = {wire for bits in choices.values() for wire in bits}
-    for wire in free:
-        place[wire] = 0
-    cells = {cell["connections"]["Y"][0]: (OPS[cell["type"]], [cell["connections"].get(p, ["0"])[0] for p in "ABS"])
-             for cell in module["cells"].values()}
-    ordered, state = [], {}
-    for root in cells:
-        stack = [(root, False)]
-        while stack:
-            wire, done = stack.pop()
-            if done:
-                if state[wire] != 2:
-                    state[wire] = 2
-                    ordered.append(wire)
-            elif wire in cells and state.get(wire) is None:
-                state[wire] = 1
-                stack.append((wire, True))
-                stack += [(w, False) for w in cells[wire][1] if w in cells and state.get(w) is None]
-    first = 2 + len(wires)
-    for i, wire in enumerate(ordered):
-        place[wire] = first + i
-    lines = [" ".join([cells[w][0], *(str(place[x]) for x in cells[w][1])]) for w in ordered]
-    outputs = [w for n, p in module["ports"].items() if p["direction"] == "output" for w in p["bits"]]
-    end, parts = first + len(ordered), []
-    for number in numbers:
-        value = {w: 1 for w in choices.get(f"m_{number}", [])}
-        if not value:
-            value = {w: number >> i & 1 for i, w in enumerate(choices["mutant"])}
-        value = {w: v for w, v in value.items() if v}
-        moved, cone = dict(value), []
-        for wire in ordered:
-            op, operands = cells[wire]
-            if any(x in moved for x in operands):
-                moved[wire] = end + len(cone)
-                cone.append(" ".join([op, *(str(moved.get(x, place[x])) for x in operands), str(end + len(cone))]))
-        changed = [w for w in outputs if w in moved]
-        parts.append("\n".join([f"{number} {len(cone)} {len(changed)}", *cone, *(f"{place[w]} {moved[w]}" for w in changed)]))
-    return f"inputs {len(wires)} random {random} gates {len(lines)} faults {len(parts)}\n" + "\n".join(lines + parts) + "\n", len(wires)
+class Circuit:
+    """The gates in order, and for each fault what exhaust.cpp reads."""
+
+    def __init__(self, module):
+        ports = module["ports"]
+        self.choices = {n: p["bits"] for n, p in ports.items() if re.fullmatch(r"mutant|m_\d+", n)}
+        inputs = [n for n, p in ports.items() if p["direction"] == "input" and n not in self.choices]
+        self.inputs = [w for name in sorted(inputs, key=lambda n: n != "cos_i") for w in ports[name]["bits"]]
+        self.outputs = [w for p in ports.values() if p["direction"] == "output" for w in p["bits"]]
+        self.cells = {cell["connections"]["Y"][0]: (OPS[cell["type"]], [cell["connections"].get(p, ["0"])[0] for p in "ABS"])
+                      for cell in module["cells"].values()}
+        self.ordered, seen = [], set()
+        for root in self.cells:
+            stack = [(root, False)]
+            while stack:
+                wire, done = stack.pop()
+                if done:
+                    self.ordered.append(wire)
+                elif wire in self.cells and wire not in seen:
+                    seen.add(wire)
+                    stack.append((wire, True))
+                    stack += [(w, False) for w in self.cells[wire][1]]
+        self.support = {wire: 1 << i for i, wire in enumerate(self.inputs)}
+        for wire in self.ordered:
+            self.support[wire] = functools.reduce(int.__or__, (self.support.get(x, 0) for x in self.cells[wire][1]))
+        rank = {wire: i for i, wire in enumerate(self.ordered)}
+        self.ordered.sort(key=lambda w: (self.support[w].bit_count(), rank[w]))  # still operands first
+
+    def cone(self, number, most):
+        """What a fault changes: the value of its choice, the wires that need no more inputs than `most`, those that lead on, the inputs, and
+        whether they lead to outputs alone."""
+        value = {w: 1 for w in self.choices.get(f"m_{number}", [])} or \
+            {w: 1 for i, w in enumerate(self.choices["mutant"]) if number >> i & 1}
+        moved, ends, whole, inputs = set(value), set(), True, 0
+        for wire in self.ordered:
+            operands = moved.intersection(self.cells[wire][1])
+            if operands:
+                if (inputs | self.support[wire]).bit_count() <= most:
+                    inputs |= self.support[wire]
+                    moved.add(wire)
+                else:
+                    ends |= operands - set(value)
+                    whole = False
+        return value, moved, ends | moved.intersection(self.outputs), inputs, whole
+
+    def text(self, cones, inputs, random):
+        """A run over some inputs, with the faults that need these alone."""
+        needed, todo = set(), [x for _, moved, ends, _, _ in cones.values() for w in moved | ends if w in self.cells for x in (w, *self.cells[w][1])]
+        while todo:
+            wire = todo.pop()
+            if wire in self.cells and wire not in needed:
+                needed.add(wire)
+                todo += self.cells[wire][1]
+        place = {"0": 0, "1": 1, "x": 0, **{w: 0 for bits in self.choices.values() for w in bits}}
+        place |= {w: 2 + i for i, w in enumerate(w for i, w in enumerate(self.inputs) if inputs >> i & 1)}
+        first = 2 + inputs.bit_count()
+        gates = [w for w in self.ordered if w in needed]
+        place |= {w: first + i for i, w in enumerate(gates)}
+        lines = [" ".join([self.cells[w][0], *(str(place.get(x, 0)) for x in self.cells[w][1])]) for w in gates]
+        for number, (value, moved, ends, _, _) in cones.items():
+            now, cone = dict(value), []
+            for wire in gates:
+                if wire in moved:
+                    op, operands = self.cells[wire]
+                    now[wire] = first + len(gates) + len(cone)
+                    cone.append(" ".join([op, *(str(now.get(x, place.get(x, 0))) for x in operands), str(now[wire])]))
+            lines += [f"{number} {len(cone)} {len(ends)}", *cone, *(f"{place[w]} {now[w]}" for w in ends)]
+        return f"inputs {inputs.bit_count()} random {random} gates {len(gates)} faults {len(cones)}\n" + "\n".join(lines) + "\n"
 
 
 def possible(faults):
-    """Few inputs, a result a clock."""
+    """A result a clock, and no wrapper."""
     stated = next(a for a in faults.unit["architectures"] if a["name"] == faults.architecture)
-    bits = sum(p["width"] for p in faults.numbers["ports"] if p["direction"] == "input" and p["name"] not in NO_NUMBERS)
-    return faults.form == "core" and stated["interval"] == 1 and bits <= 28
+    return faults.form == "core" and stated["interval"] == 1 and not faults.module.startswith("glint_effect_shade")
 
 
 def legal(faults, told):
@@ -167,16 +187,23 @@ def legal(faults, told):
 
 
 def exhaust(faults, numbers, random=0):
-    """Number and the first input that tells the fault, "none" where none does, of those faults that are in the numbers."""
+    """Number and what was found, of those faults that are in the numbers: "none" where no input makes a difference, an input that does,
+    or nothing: a wire inside differs, and which results that changes needs more inputs than can be tried."""
     applied = in_numbers(faults, numbers)
     if not applied:
         return {}
-    text, inputs = circuit(gates(faults, applied), sorted(applied), random)
-    if inputs > 32 and not random:
-        raise Failed(f"{faults.name}: {inputs} bits of input are too many")
+    circuit = Circuit(gates(faults, applied))
     program = faults.folder / "exhaust"
     subprocess.run(["g++", "-std=c++20", "-O3", "-march=native", HERE / "exhaust.cpp", "-o", program], check=True)
-    done = subprocess.run([program], input=text, capture_output=True, text=True)
-    if done.returncode != 0:
-        raise Failed(done.stderr)
-    return {int(number): found for number, found in map(str.split, done.stdout.splitlines())}
+    runs, out = {}, {}
+    for number in sorted(applied):
+        cone = circuit.cone(number, 1000 if random else MOST)
+        runs.setdefault(cone[3], {})[number] = cone
+    for inputs, cones in runs.items():
+        done = subprocess.run([program], input=circuit.text(cones, inputs, random), capture_output=True, text=True)
+        if done.returncode != 0:
+            raise Failed(done.stderr)
+        for number, found in map(str.split, done.stdout.splitlines()):
+            decided = cones[int(number)][4] if found != "none" else not random
+            out[int(number)] = found if decided else ""
+    return out
