@@ -1,7 +1,7 @@
 // Runs a circuit of gates on every input, 1024 inputs at a time, with each of its planted faults beside it. exhaust.py
-// writes the circuit: "inputs N random R gates G faults F", a line a gate "op a b c", the outputs, and for each fault its
-// number, its gates "op a b c to" and the outputs that it may change. Node 0 is 0, node 1 is 1, then the inputs, then the gates.
-// Prints a line a fault: its number, and the first input that tells it, or "none".
+// writes the circuit: "inputs N random R gates G faults F", a line a gate "op a b c", the outputs, and for each fault
+// its number, its gates "op a b c to" and the outputs that it may change. Node 0 is 0, node 1 is 1, then the inputs,
+// then the gates. Prints a line a fault: its number, and the first input that tells it, or "none".
 
 #include <cstdint>
 #include <iostream>
@@ -38,13 +38,27 @@ void evaluate(const std::vector<Gate>& gates, Node* nodes) {
         const Node &a = nodes[gate.a], &b = nodes[gate.b], &c = nodes[gate.c];
         Node& out = nodes[gate.to];
         switch (gate.op) {
-            case '&': each(out, [&](int i) { return a.lanes[i] & b.lanes[i]; }); break;
-            case '|': each(out, [&](int i) { return a.lanes[i] | b.lanes[i]; }); break;
-            case '^': each(out, [&](int i) { return a.lanes[i] ^ b.lanes[i]; }); break;
-            case 'd': each(out, [&](int i) { return a.lanes[i] & ~b.lanes[i]; }); break;
-            case 'o': each(out, [&](int i) { return a.lanes[i] | ~b.lanes[i]; }); break;
-            case '!': each(out, [&](int i) { return ~a.lanes[i]; }); break;
-            default: each(out, [&](int i) { return (c.lanes[i] & b.lanes[i]) | (~c.lanes[i] & a.lanes[i]); }); break;
+            case '&':
+                each(out, [&](int i) { return a.lanes[i] & b.lanes[i]; });
+                break;
+            case '|':
+                each(out, [&](int i) { return a.lanes[i] | b.lanes[i]; });
+                break;
+            case '^':
+                each(out, [&](int i) { return a.lanes[i] ^ b.lanes[i]; });
+                break;
+            case 'd':
+                each(out, [&](int i) { return a.lanes[i] & ~b.lanes[i]; });
+                break;
+            case 'o':
+                each(out, [&](int i) { return a.lanes[i] | ~b.lanes[i]; });
+                break;
+            case '!':
+                each(out, [&](int i) { return ~a.lanes[i]; });
+                break;
+            default:
+                each(out, [&](int i) { return (c.lanes[i] & b.lanes[i]) | (~c.lanes[i] & a.lanes[i]); });
+                break;
         }
     }
 }

@@ -2,8 +2,9 @@
 
 A unit without stalls is a function of its input: each of its registers takes over a value a clock, so a wire in its place
 gives the same numbers. Yosys makes gates of that function; exhaust.cpp runs them on every code of every port, legal or not.
-That speaks of a fault only if it is in the numbers: it must not reach an enable, valid_o or ready_o. So a fault that changes no result is equivalent, stalls and resets included: whatever a
-register holds is what it holds here, with the fault or without.
+That speaks of a fault only if it is in the numbers: it must not reach an enable, valid_o or ready_o. Then a fault that changes
+no result is equivalent, stalls and resets included: whatever a register holds is what it holds here, with the fault or
+without. Where all inputs are too many, what a fault changes is followed as far as MOST bits of input decide.
 """
 
 import functools

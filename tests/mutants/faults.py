@@ -12,7 +12,6 @@ ROOT = HERE.parents[1]
 RTL = ROOT / "rtl"
 SEED = 1
 FIRST, AGAIN, TABLE = 45, 6, 12  # faults of a file: in the first unit that has it, in others; of a table
-LATER = "bps_vectors blinn_phong_vectors lobe_select pixel_bps".split()  # of what other units have, too, a fault a file
 MODES = "inv const0 const1 cnot0 cnot1".split()
 
 DIVIDED = "bps schlick cayley polynomial".split()
@@ -34,8 +33,7 @@ def plan():
     units |= {"cayley-iterative": ("glint_cayley_p8", "iterative"), "taylor-m2": ("glint_taylor_p8", "pipelined:m2"),
               "bps-axis": ("glint_bps_axis_p12", "restoring")}
     units |= {effect: (f"glint_effect_{effect}_p8", "default") for effect in EFFECTS}
-    units["tint-axis"] = ("glint_effect_tint_axis_p12", "default")
-    return units | {effect: (f"glint_effect_{effect}_p8", "default") for effect in LATER}
+    return units | {"tint-axis": ("glint_effect_tint_axis_p12", "default")}
 
 
 def digest(path):
@@ -68,7 +66,7 @@ class Manifest:
             unit, architecture, _ = self[name]
             out[name] = {}
             for file in unit["files"]:
-                again = 1 if name in LATER else AGAIN * 2 if architecture not in ("restoring", "pipelined", "default") else AGAIN
+                again = AGAIN * 2 if architecture not in ("restoring", "pipelined", "default") else AGAIN
                 out[name][file] = again if file in seen else TABLE if "glint_table_" in file else FIRST
                 seen.add(file)
             if architecture == "radix4" or architecture == "iterative" or architecture == "reciprocal":

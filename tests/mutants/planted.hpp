@@ -1,6 +1,6 @@
 #pragma once
-// Included by each source in which cpp_faults.py planted faults: GLINT_PLANTED chooses one by its number. At the end the
-// numbers of those that were passed go into a file of the folder GLINT_PLANTED_LOG.
+// Included by each source in which cpp_faults.py planted faults: GLINT_PLANTED chooses one by its number. At the end
+// the numbers of those that were passed go into a file of the folder GLINT_PLANTED_LOG.
 
 #include <unistd.h>
 
