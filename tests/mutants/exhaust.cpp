@@ -30,7 +30,7 @@ struct Fault {
 
 template <class Operation>
 void each(Node& out, Operation operation) {
-    for (int i = 0; i < words; ++i) out.lanes[i] = operation(i);
+    for (int i = 0; i < words; ++i) operation(out.lanes[i], i);
 }
 
 void evaluate(const std::vector<Gate>& gates, Node* nodes) {
@@ -39,25 +39,25 @@ void evaluate(const std::vector<Gate>& gates, Node* nodes) {
         Node& out = nodes[gate.to];
         switch (gate.op) {
             case '&':
-                each(out, [&](int i) { return a.lanes[i] & b.lanes[i]; });
+                each(out, [&](Lanes& to, int i) { to = a.lanes[i] & b.lanes[i]; });
                 break;
             case '|':
-                each(out, [&](int i) { return a.lanes[i] | b.lanes[i]; });
+                each(out, [&](Lanes& to, int i) { to = a.lanes[i] | b.lanes[i]; });
                 break;
             case '^':
-                each(out, [&](int i) { return a.lanes[i] ^ b.lanes[i]; });
+                each(out, [&](Lanes& to, int i) { to = a.lanes[i] ^ b.lanes[i]; });
                 break;
             case 'd':
-                each(out, [&](int i) { return a.lanes[i] & ~b.lanes[i]; });
+                each(out, [&](Lanes& to, int i) { to = a.lanes[i] & ~b.lanes[i]; });
                 break;
             case 'o':
-                each(out, [&](int i) { return a.lanes[i] | ~b.lanes[i]; });
+                each(out, [&](Lanes& to, int i) { to = a.lanes[i] | ~b.lanes[i]; });
                 break;
             case '!':
-                each(out, [&](int i) { return ~a.lanes[i]; });
+                each(out, [&](Lanes& to, int i) { to = ~a.lanes[i]; });
                 break;
             default:
-                each(out, [&](int i) { return (c.lanes[i] & b.lanes[i]) | (~c.lanes[i] & a.lanes[i]); });
+                each(out, [&](Lanes& to, int i) { to = (c.lanes[i] & b.lanes[i]) | (~c.lanes[i] & a.lanes[i]); });
                 break;
         }
     }
