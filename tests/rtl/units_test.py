@@ -2,6 +2,7 @@
 """The benches of the dividers, glint_sqrt, glint_multiplier, glint_delay and glint_skid in Icarus, and bugs planted in
 copies of these modules, which the benches must find. With an argument, the unit of that name only."""
 
+import re
 import sys
 import tempfile
 from pathlib import Path
@@ -180,16 +181,52 @@ def of_family(family, files):
     return list(dict.fromkeys([RTL / name for paths in own.values() for name in paths] + kept))
 
 
-def check_family_divider(folder):
-    """glint_divider_restoring of ecp5, by the contract of that for any device."""
-    total = 0
-    files = [*of_family("ecp5", modules()["glint_divider"]), HERE / "divider_tb.v"]
-    for parameters, expected in (divider(10, 5, 5), divider(9, 7, 3), divider(12, 6, 6, rows=4), divider(9, 8, 3),
-                                 *(divider(*widths, RANDOM_DIVISIONS) for widths in LARGE)):
-        icarus.build(Path(folder) / "bench", "divider_tb", files, parameters)
-        icarus.require(icarus.run(Path(folder) / "bench"), "divisions", expected)
-        total += expected
-    print(f"glint_divider_restoring of ecp5: {total} divisions, 0 mismatches")
+# What families have in the place of a unit's module: the family, DIVIDER, planted bugs. By the contract of that for any device.
+FAMILIES = {
+    "restoring": (
+        ("ecp5", 0, [(r"\? \{Y_W\{1'b0\}\} : row", "? row[Q_W-1].divisor_next : row")]),
+        ("ice40", 0, [(r"\? row\[i-1\]\.less_next :", "? row[i-1].kept_next :"), (r">> \(Y_W - R_W\)", ">> (Y_W - R_W + 1)")]),
+    ),
+    "radix4": (
+        ("ecp5", 1, [(r"fits_twice == subtract", "fits_twice"), (r"\.b_i       \(triple\)", ".b_i({2'b00, divisor})"),
+                     (r"subtract  = row\[i-1\]\.bits_next\[0\]", "subtract  = row[i-1].bits_next[1]")]),
+    ),
+    "iterative": (("up5k", 2, [(r"fits_q <= 1'b0;", ""), (r"kept_q <= shifted", "kept_q <= difference")]),),
+    "multiplier": (("ice40", None, [(r"single \+ twice", "single | twice"), (r"SIGNED != 0 & a_i", "1'b0 & a_i")]),),
+}
+
+
+def check_family(unit, folder):
+    """The module of each family; with one set of parameters the bench must find each planted bug."""
+    bench, module = UNITS[unit][0], UNITS[unit][1]
+    top = module if unit == "multiplier" else "glint_divider"
+    for family, which, bugs in FAMILIES.get(unit, ()):
+        hunted = -1
+        if unit == "multiplier":
+            runs = [run for run in UNITS[unit][3] if run[0]["A_W"] in (18, 19)]
+        elif unit == "iterative":
+            runs = UNITS[unit][3]
+        else:
+            hunted = 2
+            runs = [divider(10, 5, 5, which=which), divider(9, 7, 3, which=which), divider(9, 8, 3, which=which),
+                    divider(12, 6, 6, which=which, rows=4), *(divider(*widths, RANDOM_DIVISIONS, which) for widths in LARGE)]
+        files = [*of_family(family, modules()[top]), HERE / f"{bench}.v"]
+        total = 0
+        for parameters, expected in runs:
+            icarus.build(Path(folder) / "bench", bench, files, parameters)
+            icarus.require(icarus.run(Path(folder) / "bench"), UNITS[unit][2], expected)
+            total += expected
+        at = next(index for index, file in enumerate(files) if file.stem == module)
+        for pattern, replacement in bugs:
+            text, matches = re.subn(pattern, replacement, files[at].read_text())
+            if matches != 1:
+                raise icarus.Failed(f"'{pattern}' matches {matches} times in {files[at]}, not once")
+            planted = Path(folder) / files[at].name
+            planted.write_text(text)
+            icarus.build(Path(folder) / "bench", bench, [*files[:at], planted, *files[at + 1:]], runs[hunted][0])
+            if icarus.counts(icarus.run(Path(folder) / "bench"), UNITS[unit][2])[1] == 0:
+                raise icarus.Failed(f"not found: '{replacement}' for '{pattern}' in {module} of {family}")
+        print(f"{module} of {family}: {total} {UNITS[unit][2]}, 0 mismatches; {len(bugs)} planted bugs found")
 
 
 def simulate(folder, rtl, unit, parameters):
@@ -229,8 +266,7 @@ def main():
                 if unit not in UNITS:
                     raise icarus.Failed(f"unit '{unit}' is not legal: {', '.join(UNITS)}")
                 check(unit, folder)
-                if unit == "restoring":
-                    check_family_divider(folder)
+                check_family(unit, folder)
     except icarus.Failed as failed:
         print(f"FAILED: {failed}", file=sys.stderr)
         return 1
