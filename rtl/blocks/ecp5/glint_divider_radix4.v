@@ -53,8 +53,8 @@ module glint_divider_radix4 #(
             wire    [Y_W-1:0] divisor, divisor_next;
             /* verilator lint_off UNUSED */  // after the last row
             wire    [R_W-1:0] triple, triple_next;
-            /* verilator lint_on UNUSED */
             wire [BITS_W-1:0] bits, bits_next;
+            /* verilator lint_on UNUSED */
             wire [BESIDE_W-1:0] beside, beside_next;
             wire              subtract;  // the remainder is not negative
 
