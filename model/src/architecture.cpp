@@ -33,9 +33,12 @@ constexpr std::array<Divider, 4> dividers{
 constexpr int most_rows = 32;
 constexpr int most_stages = 4;
 
+/// "ecp5, up5k or ice40"
 std::string family_names() {
     std::string out;
-    for (const Family& family : families()) out += fmt::format("{}{}", out.empty() ? "" : " or ", family.name);
+    for (const Family& family : families()) {
+        out += fmt::format("{}{}", out.empty() ? "" : &family == &families().back() ? " or " : ", ", family.name);
+    }
     return out;
 }
 
