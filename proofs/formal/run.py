@@ -220,7 +220,33 @@ def failed_property(output):
     return ", ".join(dict.fromkeys(found)) or "no property named"
 
 
+def lemmas(task, folder):
+    """Asks z3 what a file says of integers: no query has an answer, but those that show that the assumptions can be met."""
+    text = (HERE / f"{task.top}.smt2").read_text()
+    if task.edit:
+        old, new = task.edit
+        if text.count(old) != 1:
+            raise RuntimeError(f"{task.top}.smt2 has no single '{old}'")
+        text = text.replace(old, new)
+    (folder / "lemmas.smt2").write_text(text)
+    output = ask(["z3", "lemmas.smt2"], folder, MOST_SECONDS) or ""
+    answers = re.findall(r"^(.+)\n(sat|unsat|unknown)$", output, re.M)
+    if not answers or len(answers) != text.count("(check-sat)"):
+        raise RuntimeError(f"z3 answers {len(answers)} of {text.count('(check-sat)')} queries: {' '.join(output.split())[-300:]}")
+    wrong = [name for name, answer in answers if answer != ("sat" if name.startswith("given") else "unsat")]
+    if task.method == "bug":
+        if not wrong or not all(re.match(task.only, name) for name in wrong):
+            raise RuntimeError(f"the planted bug fails {', '.join(wrong) or 'nothing'}, not {task.only}")
+        task.result = f"found, {len(wrong)} fail"
+    elif wrong:
+        raise RuntimeError(f"does not hold: {', '.join(wrong)}")
+    else:
+        task.result = f"proven, {sum(not name.startswith('given') for name, _ in answers)} lemmas"
+
+
 def prove(task, folder):
+    if task.kind == "lemmas":
+        return lemmas(task, folder)
     prepare(task, folder)
     count = len(cells(folder, "cover" if task.method == "cover" else "assert"))
     if count == 0:

@@ -35,14 +35,14 @@ class Task:
     name: str
     shows: str
     top: str                       # the module under proof
-    kind: str                      # unit, axis (its wrapper), or a shared module: skid, delay, divider, sqrt
+    kind: str                      # unit, axis (its wrapper), or a shared module: skid, delay, divider, sqrt; lemmas: top.smt2
     parameters: dict
     method: str                    # induction, cover or bug
     depth: int                     # induction: the largest k tried; else the clocks looked at
     only: str = ""                 # the properties in question, as a regular expression; else all
     given: str = ""                # properties that another task proves by themselves, which this one may assume
     defines: tuple = ()
-    edit: tuple = ()               # bug: module, text, what stands there instead
+    edit: tuple = ()               # bug: module, text, what stands there instead; lemmas: the last two
     sidebands: bool = False        # axis: with all of them, as the command `glint` writes it
     failures: list = field(default_factory=list)
     result: str = ""
@@ -96,10 +96,14 @@ def tasks():
         out.append(Task(f"divider.stage.{name}", "one stage: 2 remainder + bit = fits divisor + reduced < divisor",
                         "glint_divider_restoring", "divider", divider(*widths), "induction", 1, "one_stage|stage_moves",
                         defines=("TWO_STAGES",)))
-    for name in ("p8", "p12"):  # at p16 z3 does not answer in 300 s
+    for name in ("p8", "p12"):  # at p16 z3 does not answer in 300 s: divider.rows says it of every width
         out.append(Task(f"divider.{name}", "whole divider, by bookkeeping; holds without enable", "glint_divider_restoring",
                         "divider", divider(*DIVIDERS[name]), "induction", 1))
-    out += [Task("divider.multiply", "quotient divisor + remainder = dividend, remainder < divisor, as written",
+    out += [Task("divider.rows", "whole divider, any width: induction over the rows, in integers", "glint_divider_restoring", "lemmas", {},
+                 "induction", 1),
+            Task("bugs.divider.rows", "`row` fails", "glint_divider_restoring", "lemmas", {}, "bug", 1, "row:",
+                 edit=("(* 2 (- M 1 Y)) 1)", "(* 2 (- M 1 Y)) 0)")),
+            Task("divider.multiply", "quotient divisor + remainder = dividend, remainder < divisor, as written",
                  "glint_divider_restoring", "divider", small, "induction", 1, defines=("MULTIPLY",)),
             Task("divider.cover", "not vacuous", "glint_divider_restoring", "divider", small, "cover", 12),
             *planted("divider", "glint_divider_restoring", "divider", small, 9, "glint_divider_restoring", bugs.DIVIDER, ("MULTIPLY",))]

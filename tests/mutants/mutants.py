@@ -22,10 +22,11 @@ import tempfile
 from collections import Counter
 from pathlib import Path
 
+import exhaust
 from faults import HERE, RTL, Failed, Faults, Manifest, digest, plan
 
 RECORD = HERE / "faults.jsonl"
-STEPS = ["short", "middle", "solver", "long", "all"]
+STEPS = ["short", "middle", "solver", "exhaust", "long", "all"]
 
 
 def read_record(file):
@@ -75,7 +76,7 @@ def try_left(faults, shares, record, step):
     name = faults.name
     left = [line for line in record if line["unit"] == name and line["kind"] != "parameter" and is_open(line)
             and STEPS.index(line.get("tried", "short")) < STEPS.index(step)]
-    if not left or step == "all" and faults.unit["effect"]:
+    if not left or step == "all" and faults.unit["effect"] or step == "exhaust" and not exhaust.possible(faults):
         return record
     listed = {f["number"]: f for f in faults.list(shares)}
     for line in left:
@@ -87,6 +88,14 @@ def try_left(faults, shares, record, step):
         for line in left:
             if faults.equivalent(listed[line["number"]]):
                 line["equivalent"] = step
+    elif step == "exhaust":
+        found = exhaust.exhaust(faults, [line["number"] for line in left])
+        for line in left:
+            told = found.get(line["number"], "")  # "" where it touches more than numbers
+            if told == "none":
+                line["equivalent"] = "every code of every port"
+            elif told:
+                line["killed_by"] = "exhaustive" if exhaust.legal(faults, told) else "illegal_stalls"
     else:
         numbers = [line["number"] for line in left]
         judged = faults.judge(faults.library(set(numbers)), numbers, step)
