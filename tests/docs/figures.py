@@ -236,16 +236,19 @@ def cpu(_):
 def faults(_):
     kinds = {"data": "data: the bits of numbers", "control": "control: valid, ready, enables, choices", "reset": "reset",
              "table": "words of tables", "parameter": "parameters of instances"}
-    record = [json.loads(line) for line in (ROOT / "tests/mutants/faults.jsonl").read_text().splitlines()]
+    codes = {"golden": "golden models", "meter": "meters of the error", "price": "prices and `choose`", "parser": "parsers", "kernel": "HLS kernels"}
 
     def counts(some):
         equivalent = sum(bool(fault.get("equivalent")) for fault in some)
         found = sum(bool(fault["killed_by"]) for fault in some)
         return [str(found), str(equivalent), str(len(some) - found - equivalent)]
 
-    rows = [[meaning, *counts([fault for fault in record if fault["kind"] == kind])] for kind, meaning in kinds.items()]
-    return [["kind", "found", "equivalent", "open"], ["---", "--:", "--:", "--:"], *rows,
-            [f"all {len(record)}", *counts(record)]]
+    rows = [["kind", "found", "equivalent", "open"], ["---", "--:", "--:", "--:"]]
+    for file, known, total in (("faults.jsonl", kinds, "all {} of the Verilog"), ("cpp_faults.jsonl", codes, "all {} of the C++")):
+        record = [json.loads(line) for line in (ROOT / "tests/mutants" / file).read_text().splitlines()]
+        rows += [[meaning, *counts([fault for fault in record if fault["kind"] == kind])] for kind, meaning in known.items()]
+        rows.append([total.format(len(record)), *counts(record)])
+    return rows
 
 
 def main():

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 """Planted faults in the C++: which test finds which.
 
-    cpp_faults.py --tree /tmp/faulty            what the record does not hold yet, or holds of other files; may be stopped and begun again
-    cpp_faults.py --tree /tmp/faulty --changed  the same into another record; are as many found as before?
-    cpp_faults.py --check                       counts the record; fails for a survivor or a file that has changed
+    cpp_faults.py --tree /tmp/faulty              what the record does not hold yet, or holds of other files; may be stopped
+    cpp_faults.py --tree /tmp/faulty --longest 1  the same with tests of up to a second; a later run tries the rest longer
+    cpp_faults.py --check                         counts the record; fails for a survivor or a file that has changed
 
 libclang (python3-clang-14) finds the operators, constants, conditions and statements of FILES. Some of each file are chosen and all
 planted in one copy of the sources, each behind a comparison with the variable GLINT_PLANTED (planted.hpp). A run without
@@ -290,7 +290,7 @@ def survey(known, longest):
 def plant(tree, record, longest):
     """Tries what the record does not hold, and writes it there."""
     state = tree / "planted.json"
-    now = [digest(ROOT / name) for name in files()] + [digest(Path(__file__)), digest(HERE / "planted.hpp")]
+    now = [digest(ROOT / name) for name in files()] + [digest(Path(__file__)), digest(HERE / "planted.hpp"), longest]
     if not state.exists() or json.loads(state.read_text())["digests"] != now:
         faults = build(tree)
         print(f"{len(faults)} faults planted", flush=True)
@@ -298,7 +298,7 @@ def plant(tree, record, longest):
         state.write_text(json.dumps({"digests": now, "faults": faults, "met": met}))
     held = json.loads(state.read_text())
     known = tests(tree)
-    done = {key(line) for line in read(record) if "killed_by" in line}
+    done = {key(line) for line in read(record) if not is_open(line) or line["longest"] >= longest}
     with record.open("a") as out:
         for number, fault in held["faults"].items():
             line = {name: fault[name] for name in ("kind", "file", "line", "mutation", "start")}
@@ -306,8 +306,8 @@ def plant(tree, record, longest):
             if key(line) in done:
                 continue
             meets = sorted((seconds, name) for name, (seconds, met) in held["met"].items() if int(number) in met and seconds <= longest)
-            killer = next((name for seconds, name in meets if not passes(known[name], number, 10 + 5 * seconds)), "")
-            out.write(json.dumps({**line, "killed_by": killer, "tried": len(meets)}) + "\n")
+            killer = next((name for seconds, name in meets if not passes(known[name], number, 2 + 5 * seconds)), "")
+            out.write(json.dumps({**line, "killed_by": killer, "tried": len(meets), "longest": longest}) + "\n")
             out.flush()
 
 
@@ -318,7 +318,9 @@ def key(line):
 
 
 def read(file):
-    return [json.loads(line) for line in file.read_text().splitlines()] if file.exists() else []
+    """The lines of a record; of two about one fault the later."""
+    lines = map(json.loads, file.read_text().splitlines()) if file.exists() else []
+    return list({key(line): line for line in lines}.values())
 
 
 def is_open(line):
@@ -341,7 +343,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--tree", type=Path, metavar="DIR", help="where the copy of the sources is kept")
     parser.add_argument("--record", type=Path, default=RECORD, metavar="FILE")
-    parser.add_argument("--longest", type=float, default=20, metavar="SECONDS", help="tests that take longer are left out")
+    parser.add_argument("--longest", type=float, default=20, metavar="SECONDS", help="tests that take more processor time are left out")
     parser.add_argument("--check", action="store_true")
     options = parser.parse_args()
     if options.check:
