@@ -73,7 +73,7 @@ std::vector<Request> requests(const Options& options, Flow& flow) {
         for (const Device* device : devices) {
             if (!what->family.empty() && what->family != device->blocks) continue;
             if (!what->family.empty()) {  // its blocks are named in the Verilog
-                out.push_back({what, device, true});
+                out.push_back({what, device, device->has_dsps});
                 continue;
             }
             for (const bool dsp : dsp_choices(*device, options.dsp)) out.push_back({what, device, dsp});
@@ -124,6 +124,7 @@ Point price(Flow& flow, const Request& request, const std::vector<Source>& sourc
             out.fits = false;
             out.why = routing.why;
             out.clocks_mhz.clear();
+            out.paths.clear();
             break;
         }
         if (!routing.routed) {
@@ -131,6 +132,7 @@ Point price(Flow& flow, const Request& request, const std::vector<Source>& sourc
             continue;
         }
         out.clocks_mhz.push_back(routing.clock_mhz);
+        out.paths.push_back(routing.path);
         out.harness_limits |= routing.harness_limits;
         out.cells = routing.cells - alone.route(seed).cells;
     }

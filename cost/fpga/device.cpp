@@ -76,7 +76,7 @@ bool matches(std::string_view pattern, std::string_view name) {
 
 std::span<const Device> devices() {
     static const std::array<Device, 5> all{{
-        {"hx8k", "Lattice iCE40 HX8K", &ice40, {"--hx8k", "--package", "ct256"}, 7680, 0, 32, false},
+        {"hx8k", "Lattice iCE40 HX8K", &ice40, {"--hx8k", "--package", "ct256"}, 7680, 0, 32, false, "ice40"},
         {"up5k", "Lattice iCE40 UltraPlus UP5K", &ice40, {"--up5k", "--package", "sg48"}, 5280, 8, 30, true, "up5k"},
         {"ecp5-25k", "Lattice ECP5 LFE5U-25F", &ecp5, {"--25k", "--package", "CABGA381"}, 24288, 28, 56, true, "ecp5"},
         {"ecp5-85k",

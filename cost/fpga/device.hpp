@@ -37,6 +37,13 @@ struct Family {
     bool times_dsps = true;  ///< the router knows how long a DSP takes
 };
 
+/// The longest way between two registers: of which signals of the Verilog, by their names there, and what its time is.
+struct CriticalPath {
+    std::string from, to;
+    double logic_ns = 0.0;    ///< registers and cells
+    double routing_ns = 0.0;  ///< wires
+};
+
 /// What synthesis makes of a product: gates, DSPs that it finds, or the blocks that stand in the source, of an
 /// architecture that is `deep` or not.
 enum class Products { gates, dsps, blocks, deep_blocks };

@@ -86,13 +86,34 @@ bool is_in_harness(const Json& path) {
     return named && (end.starts_with("harness_") || !nets.front().starts_with("harness_in_q"));
 }
 
+/// A name of a netlist as the Verilog has it: without what Yosys puts behind it, blocks that nobody named, and the
+/// unit's place in the harness.
+std::string name_in_source(const std::string& name) {
+    static const std::regex added("^unit\\.|genblk[0-9]+\\.|_(TRELLIS|SB|CCU2C|LUT4|PFUMX|L6MUX21)_.*|\\$.*");
+    return std::regex_replace(name, added, "");
+}
+
+CriticalPath critical_path(const Json& path) {
+    const Json& steps = path.at("path");
+    CriticalPath out{name_in_source(steps.front().at("from").at("cell")),
+                     name_in_source(steps.back().at("to").at("cell"))};
+    for (const Json& step : steps) {
+        double& sum = step.at("type") == "routing" ? out.routing_ns : out.logic_ns;
+        sum += step.at("delay").get<double>();
+    }
+    return out;
+}
+
 Routing routing(const Json& found) {
+    CriticalPath path;
+    if (found.contains("path")) path = {found["path"][0], found["path"][1], found["path"][2], found["path"][3]};
     return {.fits = found.at("fits"),
             .why = found.at("why"),
             .routed = found.value("routed", true),
             .clock_mhz = found.at("clock_mhz"),
             .cells = found.at("cells"),
-            .harness_limits = found.at("harness_limits")};
+            .harness_limits = found.at("harness_limits"),
+            .path = path};
 }
 
 /// The texts of all sources as one.
@@ -296,8 +317,13 @@ Routing Flow::Netlist::route(int seed) {
     for (const std::string& argument : device_.arguments) key += " " + argument;
     return routing(flow_.cached(key + key_, [&] {
         const Routing found = run_router(seed);
-        return Json{{"fits", found.fits},           {"why", found.why},     {"routed", found.routed},
-                    {"clock_mhz", found.clock_mhz}, {"cells", found.cells}, {"harness_limits", found.harness_limits}};
+        return Json{{"fits", found.fits},
+                    {"why", found.why},
+                    {"routed", found.routed},
+                    {"clock_mhz", found.clock_mhz},
+                    {"cells", found.cells},
+                    {"harness_limits", found.harness_limits},
+                    {"path", {found.path.from, found.path.to, found.path.logic_ns, found.path.routing_ns}}};
     }));
 }
 
@@ -333,7 +359,9 @@ Routing Flow::Netlist::run_router(int seed) {
     out.cells = report.at("utilization").at(std::string(device_.family->cell)).at("used");
     for (const Json& path : report.at("critical_paths")) {
         const std::string edge = "posedge " + clock;
-        if (path.at("from") == edge && path.at("to") == edge) out.harness_limits = is_in_harness(path);
+        if (path.at("from") != edge || path.at("to") != edge) continue;
+        out.harness_limits = is_in_harness(path);
+        out.path = critical_path(path);
     }
     return out;
 }

@@ -66,6 +66,7 @@ struct Routing {
     double clock_mhz = 0.0;       ///< the highest clock of the whole design
     int cells = 0;                ///< of Family::cell
     bool harness_limits = false;  ///< no logic of the unit lies in the critical path
+    CriticalPath path{};          ///< without names where the cache is of a time before
 };
 
 struct Clocks {

@@ -45,6 +45,12 @@ Json to_json(const Point& point) {
     if (!point.clocks_mhz.empty()) out["clock_mhz"] = rounded(point.clock_mhz());
     out["clock_mhz_seeds"] = Json::array();
     for (const double clock : point.clocks_mhz) out["clock_mhz_seeds"].push_back(rounded(clock));
+    if (const CriticalPath* path = point.path()) {
+        out["path"] = {{"from", path->from},
+                       {"to", path->to},
+                       {"logic_ns", rounded(path->logic_ns)},
+                       {"routing_ns", rounded(path->routing_ns)}};
+    }
     if (!point.unrouted_seeds.empty()) out["unrouted_seeds"] = point.unrouted_seeds;
     out["latency"] = point.latency;
     out["interval"] = point.interval;
@@ -121,6 +127,15 @@ double Point::clock_mhz() const {
     std::sort(sorted.begin(), sorted.end());
     const std::size_t half = sorted.size() / 2;
     return sorted.size() % 2 == 1 ? sorted[half] : (sorted[half - 1] + sorted[half]) / 2.0;
+}
+
+const CriticalPath* Point::path() const {
+    std::vector<double> sorted = clocks_mhz;
+    std::sort(sorted.begin(), sorted.end());
+    const double middle = sorted.empty() ? 0.0 : sorted[(sorted.size() - 1) / 2];
+    const auto at = std::find(clocks_mhz.begin(), clocks_mhz.end(), middle) - clocks_mhz.begin();
+    const auto i = static_cast<std::size_t>(at);
+    return i < paths.size() && !paths[i].from.empty() ? &paths[i] : nullptr;
 }
 
 double Point::latency_ns() const { return clocks_mhz.empty() ? 0.0 : 1e3 * latency / clock_mhz(); }
@@ -233,6 +248,10 @@ std::string points_table(const std::vector<Point>& points, PriceFile file) {
                 fmt::format("{}: seed {} is not routed in {} s of processor time\n", what, seed, router_cpu_seconds);
         }
         if (point.harness_limits) notes += fmt::format("{}*: the critical path is in the harness\n", what);
+        if (const CriticalPath* path = point.path()) {
+            notes += fmt::format("{}: {} to {}: {:.1f} ns of logic, {:.1f} of wires\n", what, path->from, path->to,
+                                 path->logic_ns, path->routing_ns);
+        }
         if (clock && point.resources.dsps > 0) with_dsps.insert(point.device);
     }
     return io::table(rows) + notes + dsp_clock_notes(with_dsps);

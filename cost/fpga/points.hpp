@@ -30,6 +30,7 @@ struct Point {
     bool fits = false;
     std::string why;                  ///< it does not fit
     std::vector<double> clocks_mhz;   ///< after place and route, one a seed
+    std::vector<CriticalPath> paths;  ///< with each of these seeds
     std::vector<int> unrouted_seeds;  ///< without one: the router found no end
     bool harness_limits = false;      ///< with one of the seeds the critical path is in the harness alone
     int latency = 0;                  ///< clocks
@@ -39,6 +40,7 @@ struct Point {
 
     double clock_mhz() const;  ///< the median; 0 when there is none
     double latency_ns() const;
+    const CriticalPath* path() const;  ///< with the seed in the middle; null where no name is known
     double results_per_second() const;
 };
 

@@ -33,9 +33,18 @@ constexpr std::array<Divider, 4> dividers{
 constexpr int most_rows = 32;
 constexpr int most_stages = 4;
 
+/// "ecp5, up5k or ice40"
+std::string family_names() {
+    std::string out;
+    for (const Family& family : families()) {
+        out += fmt::format("{}{}", out.empty() ? "" : &family == &families().back() ? " or " : ", ", family.name);
+    }
+    return out;
+}
+
 std::string legal(const Lobe& lobe) {
-    std::string out, names;
-    for (const Family& family : families()) names += fmt::format("{}{}", names.empty() ? "" : " or ", family.name);
+    std::string out;
+    const std::string names = family_names();
     if (!lobe.divider)
         return fmt::format("pipelined{}{}[:mN][:FAMILY], N = 1 to {}, FAMILY {}", lobe.deep ? "[:deep]" : "",
                            lobe.block ? "[:block]" : "", most_stages, names);
@@ -112,9 +121,9 @@ Architecture parse_architecture(const HardwareUnit& unit, std::string_view text)
     const bool block = !unit.tables.empty() && take_word(rest, ":block");
     const std::optional<int> stages = chosen ? take_number(rest, 'm', most_stages) : 1;
     if (base != "default" || !stages || !rest.empty()) {
-        throw Error(fmt::format("architecture '{}' is not legal for {}: default{}{}[:FAMILY], FAMILY ecp5 or up5k",
-                                text, unit.name, unit.tables.empty() ? "" : "[:block]",
-                                chosen ? fmt::format("[:mN], N = 1 to {}", most_stages) : ""));
+        throw Error(fmt::format("architecture '{}' is not legal for {}: default{}{}[:FAMILY], FAMILY {}", text,
+                                unit.name, unit.tables.empty() ? "" : "[:block]",
+                                chosen ? fmt::format("[:mN], N = 1 to {}", most_stages) : "", family_names()));
     }
     Architecture out{"", {}, family, block};
     if (block) out.name = "block";

@@ -106,12 +106,13 @@ void add_files(std::vector<HardwareUnit::File>& files, const std::vector<Hardwar
 }
 
 std::span<const Family> families() {
-    static const std::array<Family, 2> all{
+    static const std::array<Family, 3> all{
         {{"ecp5",
           {"glint_multiplier", "glint_divider_restoring", "glint_signed_multiplier", "glint_sqrt", "glint_nearest"},
           {{"MULT18X18D", "glint_multiplier_block"}, {"CCU2C", "glint_add_sub"}, {"DP16KD", "glint_table_block"}},
           {"glint_table_block"}},
-         {"up5k", {"glint_multiplier"}, {{"SB_MAC16", "glint_multiplier_block"}}}}};
+         {"up5k", {"glint_multiplier", "glint_divider_iterative"}, {{"SB_MAC16", "glint_multiplier_block"}}},
+         {"ice40", {"glint_multiplier", "glint_divider_restoring"}}}};
     return all;
 }
 
@@ -127,11 +128,12 @@ void use_family(HardwareUnit& unit, std::string_view family) {
             add_files(files, {file});
             continue;
         }
-        if (*name == "glint_multiplier") {
+        if (*name == "glint_multiplier" && !of_family->primitives.empty()) {
             add_files(files, files_of("glint_multiplier_sliced"));
             add_files(files, {{fmt::format("blocks/{}/glint_multiplier_block.v", family)}});
         }
-        if (*name == "glint_divider_restoring") add_files(files, {{fmt::format("blocks/{}/glint_add_sub.v", family)}});
+        if (*name == "glint_divider_restoring" && family == "ecp5")
+            add_files(files, {{fmt::format("blocks/{}/glint_add_sub.v", family)}});
         if (*name == "glint_sqrt" || *name == "glint_nearest") {
             add_files(files, {{fmt::format("blocks/{}/glint_add_sub_odd.v", family)}});
         }

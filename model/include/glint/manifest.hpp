@@ -68,11 +68,11 @@ inline constexpr FileRoots emitted_paths{"$(GLINT_RTL)/", ""};  ///< of a units.
 inline constexpr FileRoots emitted_list{"$(GLINT_RTL)/", "$(GLINT_EMITTED)/"};
 
 /// Devices for which rtl/blocks/NAME has files in the place of those of rtl/blocks: modules of the same ports,
-/// parameters, bits and clocks, made of primitives that rtl/simulation/ has models of.
+/// parameters, bits and clocks. Primitives that they are made of have models in rtl/simulation/.
 struct Family {
     std::string_view name;
     std::vector<std::string_view> modules;
-    std::vector<std::pair<std::string_view, std::string_view>> primitives;  ///< each with how modules of it begin
+    std::vector<std::pair<std::string_view, std::string_view>> primitives = {};  ///< each with how modules of it begin
     std::vector<std::string_view> more = {};  ///< modules of the family alone, each a file of rtl/blocks/NAME
 };
 std::span<const Family> families();
