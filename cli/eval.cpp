@@ -291,8 +291,8 @@ private:
     fmt::memory_buffer text_;
 };
 
-/// Options for the ports of effects, but n, which `glint eval` has anyway: those that the command line names, for all of them
-/// would take longer than a result. They are not listed in the help, for they would not fit a screen.
+/// Options for the ports of effects, but n, which `glint eval` has anyway: those that the command line names, for all
+/// of them would take longer than a result. They are not listed in the help, for they would not fit a screen.
 void add_port_options(CLI::App& command, PortValues& values, const std::string& command_line) {
     std::set<std::string> names;
     for (const Effect& effect : effects()) {
@@ -334,7 +334,8 @@ void add_eval(CLI::App& app, Chosen& chosen) {
     from_stdin->excludes(json);
     n->default_str("");  // neither has a default
     code->default_str("");
-    command->preparse_callback([=, &chosen](std::size_t) { add_port_options(*command, options->ports, chosen.command); });
+    command->preparse_callback(
+        [=, &chosen](std::size_t) { add_port_options(*command, options->ports, chosen.command); });
     cosine->excludes(code);
     effect->excludes(cosine)->excludes(code);
     from_stdin->excludes(n)->excludes(cosine)->excludes(code);

@@ -29,7 +29,8 @@ struct Architecture {
 /// for others "pipelined[:deep][:block][:mN][:FAMILY]". rN, of restoring and radix4: a register after every N rows of
 /// the divider, 1 to 32; mN: a product takes N clocks, 1 to 4. Both are 1 where they are left out. deep, of `decay`: a
 /// register after each step of glint_normalise, and one more after each table. block, where Lobe::block is: the tables
-/// ask for block memory, which a tool does not give to small ones of its own. FAMILY: ecp5, up5k or ice40. Throws Error.
+/// ask for block memory, which a tool does not give to small ones of its own. FAMILY: ecp5, up5k or ice40. Throws
+/// Error.
 Architecture parse_architecture(const Lobe& lobe, std::string_view text);
 
 /// For the unit of an effect "default[:block][:mN][:FAMILY]", with block where it has tables, mN where it has the
