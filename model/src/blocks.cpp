@@ -108,7 +108,8 @@ void add_files(std::vector<HardwareUnit::File>& files, const std::vector<Hardwar
 std::span<const Family> families() {
     static const std::array<Family, 3> all{
         {{"ecp5",
-          {"glint_multiplier", "glint_divider_restoring", "glint_signed_multiplier", "glint_sqrt", "glint_nearest"},
+          {"glint_multiplier", "glint_divider_restoring", "glint_divider_radix4", "glint_signed_multiplier",
+           "glint_sqrt", "glint_nearest", "glint_parabola", "glint_log2", "glint_exp2"},
           {{"MULT18X18D", "glint_multiplier_block"}, {"CCU2C", "glint_add_sub"}, {"DP16KD", "glint_table_block"}},
           {"glint_table_block"}},
          {"up5k", {"glint_multiplier", "glint_divider_iterative"}, {{"SB_MAC16", "glint_multiplier_block"}}},
@@ -132,7 +133,7 @@ void use_family(HardwareUnit& unit, std::string_view family) {
             add_files(files, files_of("glint_multiplier_sliced"));
             add_files(files, {{fmt::format("blocks/{}/glint_multiplier_block.v", family)}});
         }
-        if (*name == "glint_divider_restoring" && family == "ecp5")
+        if (name->starts_with("glint_divider_r") && family == "ecp5")
             add_files(files, {{fmt::format("blocks/{}/glint_add_sub.v", family)}});
         if (*name == "glint_sqrt" || *name == "glint_nearest") {
             add_files(files, {{fmt::format("blocks/{}/glint_add_sub_odd.v", family)}});

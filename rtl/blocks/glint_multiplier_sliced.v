@@ -2,8 +2,8 @@
 //
 // The glint_multiplier of a device with such blocks (rtl/blocks/ecp5, rtl/blocks/up5k): bits and clocks are those of
 // rtl/blocks/glint_multiplier.v, registers are where its blocks have them. A slice of each operand makes a piece, which is
-// the product where there is one piece. Of several the last clock is their sum, so the blocks have one clock less. No valid
-// bits and no reset: its owner counts clocks.
+// the product where there is one piece. Of several the last clock is their sum, so the blocks have one clock less; with one
+// clock in all the registers are those in the blocks, and the sum follows. No valid bits and no reset: its owner counts clocks.
 
 `default_nettype none
 // verilator lint_off TIMESCALEMOD
@@ -26,7 +26,7 @@ module glint_multiplier_sliced #(
     localparam B_SLICES = (B_W + W - 1) / W;
     localparam PIECES   = A_SLICES * B_SLICES;
     localparam P_W      = A_W + B_W;
-    localparam CLOCKS   = PIECES == 1 ? STAGES : STAGES - 1;  // of a piece
+    localparam CLOCKS   = PIECES == 1 || STAGES == 1 ? STAGES : STAGES - 1;  // of a piece
 
     wire sign = SIGNED != 0 & a_i[A_W-1];
     /* verilator lint_off UNUSED */  // a bit above the last slice
@@ -75,14 +75,21 @@ module glint_multiplier_sliced #(
         if (PIECES == 1) begin : one
             assign product_o = pieces;
         end else begin : several
-            reg [P_W-1:0] sum, sum_q;
+            reg [P_W-1:0] sum;
             integer       k;
             always @* begin
                 sum = {P_W{1'b0}};
                 for (k = 0; k < PIECES; k = k + 1) sum = sum + pieces[P_W*k+:P_W];
             end
-            always @(posedge clk_i) if (enable_i) sum_q <= sum;
-            assign product_o = sum_q;
+            glint_delay #(
+                .WIDTH (P_W),
+                .STAGES(STAGES - CLOCKS)
+            ) delay_sum (
+                .clk_i   (clk_i),
+                .enable_i(enable_i),
+                .data_i  (sum),
+                .data_o  (product_o)
+            );
         end
     endgenerate
 

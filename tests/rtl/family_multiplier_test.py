@@ -27,7 +27,7 @@ FLOWS = {"ecp5": "synth_ecp5", "up5k": "synth_ice40"}
 CELLS = {"ecp5": "ecp5/cells_sim.v", "up5k": "ice40/cells_sim.v"}
 BUGS = (("glint_multiplier_sliced.v", r"\(A_SLICES \* W \+ 1 - A_W\) \{sign\}", "(A_SLICES * W + 1 - A_W) {1'b0}"),
         ("glint_multiplier_sliced.v", r"<< \(W \* \(i \+ j\)\)", "<< (W * i)"),
-        ("glint_multiplier_sliced.v", r"if \(enable_i\) sum_q", "sum_q"),
+        ("glint_multiplier_sliced.v", r"(\.enable_i)\(enable_i\)(,\s+\.data_i  \(sum\))", r"\g<1>(1'b1)\g<2>"),
         ("glint_multiplier_sliced.v", r"\{\{W\{LAST & slice\[W-1\]\}\}, slice\}", "{{W{1'b0}}, slice}"))
 
 

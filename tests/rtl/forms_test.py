@@ -13,7 +13,7 @@ from icarus import Failed
 from replay import replay
 
 # With and without a row for each n; tables that share a block memory of ECP5, and a table of both its ports; tables that
-# ask for block memory.
+# ask for block memory. Blocks of ECP5 in the place of those for any device, products of one clock and of three.
 FORMS = (
     ("decay", "p8", "pipelined:deep"),
     ("decay", "16,4,8,8,4,1,4,0,9", "pipelined:deep:m3"),
@@ -22,6 +22,9 @@ FORMS = (
     ("blinn_phong", "p12", "pipelined:block"),
     ("gauss", "p12", "pipelined:block:m2"),
     ("spherical_gaussian", "p12", "pipelined:block:ecp5"),
+    ("blinn_phong", "p12", "pipelined:ecp5"),
+    ("blinn_phong", "p12", "pipelined:m3:ecp5"),
+    ("bps", "p12", "radix4:ecp5"),
 )
 
 

@@ -193,6 +193,10 @@ FAMILIES = {
         ("ecp5", 0, [(r"\? \{Y_W\{1'b0\}\} : row", "? row[Q_W-1].divisor_next : row")]),
         ("ice40", 0, [(r"\? row\[i-1\]\.less_next :", "? row[i-1].kept_next :"), (r">> \(Y_W - R_W\)", ">> (Y_W - R_W + 1)")]),
     ),
+    "radix4": (
+        ("ecp5", 1, [(r"fits_twice == subtract", "fits_twice"), (r"\.b_i       \(triple\)", ".b_i({2'b00, divisor})"),
+                     (r"subtract  = row\[i-1\]\.bits_next\[0\]", "subtract  = row[i-1].bits_next[1]")]),
+    ),
     "iterative": (("up5k", 2, [(r"fits_q <= 1'b0;", ""), (r"kept_q <= shifted", "kept_q <= difference")]),),
     "multiplier": (("ice40", None, [(r"single \+ twice", "single | twice"), (r"SIGNED != 0 & a_i", "1'b0 & a_i")]),),
 }
