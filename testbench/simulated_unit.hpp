@@ -241,17 +241,19 @@ private:
         bool offered = false;  // an input was offered and not yet accepted: it has to stay
         bool waiting = false;  // a result had to wait: it has to stay
         Word waiting_word{};
-        int idle = 0;  // clocks since the last transfer in which both sides would have let one happen
+        bool held = true;  // no ready before the first valid, which must not wait for it
+        int idle = 0;      // clocks since the last transfer in which both sides would have let one happen
         while (idle < (got == count ? tail : silence)) {
             const std::uint64_t draw = random.next();
             const bool valid = sent < count && (offered || static_cast<std::uint32_t>(draw) >= threshold);
-            const bool ready = static_cast<std::uint32_t>(draw >> 32) >= threshold;
+            const bool ready = !held && static_cast<std::uint32_t>(draw >> 32) >= threshold;
             Pins::input_valid(model, valid);
             Pins::output_ready(model, ready);
             if (valid) drive_input(burst, sent);
             settle();
             const bool out_valid = Pins::output_valid(model);
             const Word shown = word();
+            held = held && !out_valid;
             if (waiting && (!out_valid || !(shown == waiting_word))) out.unstable = true;
             waiting = out_valid && !ready;
             waiting_word = shown;
@@ -270,7 +272,7 @@ private:
             if (accepted) ++sent;
             if (accepted || (out_valid && ready)) {
                 idle = 0;
-            } else if (ready && (valid || sent == count)) {
+            } else if ((ready || held) && (valid || sent == count)) {
                 ++idle;
             }
             edge();

@@ -31,6 +31,7 @@ MODULES = {
     "glint_divider_radix4": ("X_W Y_W Q_W REGISTER_EVERY", [(*w, r) for w in DIVIDER_WIDTHS[2::3] for r in (2, 3, 32)]),
     "glint_divider_reciprocal": ("X_W Y_W Q_W ZEROS MULTIPLIER_STAGES",
                                  ((34, 28, 16, 9, 1), (34, 28, 16, 0, 2), (61, 40, 31, 39, 4))),
+    "glint_divider_iterative": ("X_W Y_W Q_W", DIVIDER_WIDTHS[2::3]),
     "glint_multiplier": ("A_W B_W SIGNED STAGES", [(a, b, signed, stages) for a, b in ((1, 1), (18, 16), (31, 40))
                                                    for signed in (0, 1) for stages in (1, 2, 3, 4)]),
     "glint_horner": ("S K O I DEGREE CLAMP ITERATIVE MULTIPLIER_STAGES",
@@ -196,16 +197,11 @@ def lint(tool, without, modules_alone, folders):
     # The modules of families; Yosys has models of their primitives in its own libraries.
     for family in units.read()["families"].values():
         models = [RTL / name for name in family["simulation"]]
-        for top, names, sets in (("glint_multiplier", "A_W B_W SIGNED STAGES",
-                                  ((1, 1, 0, 1), (18, 16, 1, 2), (31, 40, 1, 3), (28, 17, 0, 4))),
-                                 ("glint_divider_restoring", "X_W Y_W Q_W REGISTER_EVERY", ((3, 1, 2, 1), (34, 28, 16, 3))),
-                                 ("glint_signed_multiplier", "WIDTH STAGES", ((8, 1), (16, 2), (18, 4))),
-                                 ("glint_sqrt", "Y_W", ((2,), (22,), (31,))),
-                                 ("glint_nearest", "ROOT_W Q_W", ((9, 8), (22, 21))),
-                                 ("glint_table_block", "", ((),))):
-            family_files = [RTL / name for name in family.get(top, [])]
+        for top in [name for name in family if name != "simulation"]:
+            family_files = [RTL / name for name in family[top]]
             listed.update(models + family_files)
-            for values in sets if family_files else ():
+            names, sets = MODULES.get(top, ("", ((),)))  # glint_table_block has no parameters
+            for values in [*sets[::5], sets[-1]]:
                 silent(command(tool, top, models + family_files, dict(zip(names.split(), values))))
                 modules += 1
     # Units of many parts with some of these; Verilator and Yosys want the number sized.
