@@ -33,22 +33,23 @@ module glint_log2 #(
     function [1:0] zero_groups(input [11:0] x);
         zero_groups = |x[11:8] ? 2'd0 : |x[7:4] ? 2'd1 : |x[3:0] ? 2'd2 : 2'd3;
     endfunction
-    wire [31:0] wide = {cosine_i, {(31 - F) {1'b0}}};
-    wire        half = ~|wide[31:16];
+    localparam B = F > 31 ? F - 31 : 0;  // bits below the 32 that are counted: what gives so long a C has its leading one above
+    wire [31+B:0] wide = {cosine_i, {(31 + B - F) {1'b0}}};
+    wire          half = ~|wide[31+B:16+B];
 
-    reg      [31:0] cosine_q;
+    reg    [31+B:0] cosine_q;
     reg             half_q;
     reg       [1:0] groups_q;
     reg       [1:0] low_q;
     reg [F-CUT-2:0] mantissa_q;  // M: what follows the leading one, F - CUT - 1 bits
     reg     [R-1:0] r_q;
-    wire     [31:0] nearly;
-    wire      [1:0] low = nearly[31] ? 2'd0 : nearly[30] ? 2'd1 : nearly[29] ? 2'd2 : 2'd3;
+    wire   [31+B:0] nearly;
+    wire      [1:0] low = nearly[31+B] ? 2'd0 : nearly[30+B] ? 2'd1 : nearly[29+B] ? 2'd2 : 2'd3;
     /* verilator lint_off UNUSED */  // the leading one, and 0 below
-    wire     [31:0] normal = nearly << low;
+    wire   [31+B:0] normal = nearly << low;
     /* verilator lint_on UNUSED */
     glint_delay #(
-        .WIDTH (32),
+        .WIDTH (32 + B),
         .STAGES(SAVED)
     ) delay_nearly (
         .clk_i   (clk_i),
@@ -58,11 +59,11 @@ module glint_log2 #(
     );
     always @(posedge clk_i) begin
         if (enable_i) begin
-            cosine_q   <= half ? {wide[15:0], 16'd0} : wide;
+            cosine_q   <= half ? {wide[15+B:0], 16'd0} : wide;
             half_q     <= half;
-            groups_q   <= half ? zero_groups(wide[15:4]) : zero_groups(wide[31:20]);
+            groups_q   <= half ? zero_groups(wide[15+B:4+B]) : zero_groups(wide[31+B:20+B]);
             low_q      <= low;
-            mantissa_q <= normal[30:32-F+CUT];
+            mantissa_q <= normal[30+B:32+B-F+CUT];
             r_q        <= mantissa_q[R-1:0];
         end
     end
