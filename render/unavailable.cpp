@@ -1,4 +1,4 @@
-// `glint render` in a build without the libraries that it needs.
+// `glint render` in a build without it, or without the libraries that it needs.
 #include <fmt/format.h>
 
 #include "cli/commands.hpp"
@@ -12,7 +12,7 @@ void add_render(CLI::App& app, Chosen& chosen) {
     command->footer("Example: glint render scenes/still_life.json -o still_life.png");
     command->callback([&chosen] {
         chosen.run = []() -> int {
-            throw Error("render is not in this build: not found were the packages " GLINT_RENDER_MISSING);
+            throw Error("render is not in this build: " GLINT_RENDER_MISSING);
         };
     });
 }
