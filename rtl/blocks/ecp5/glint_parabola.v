@@ -82,7 +82,10 @@ module glint_parabola #(
             assign low1  = {{(V_W + G - 19) {1'b0}}, low};
             assign high1 = {{(V_W + G - C1_W) {high[C1_W-18+R]}}, high[C1_W-19+R:0], 18'd0};
         end else begin : whole
+            // The sign is not used where the sum has no more bits than the product.
+            // verilator lint_off UNUSED
             wire [C1_W+R:0] product;
+            // verilator lint_on UNUSED
             glint_multiplier #(
                 .A_W   (C1_W),
                 .B_W   (R + 1),
