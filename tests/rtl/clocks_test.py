@@ -34,12 +34,12 @@ module clocks_tb;
             results <= results + 1;
             if (results == {results}) begin
                 $display("latency %0d, interval %0d", first - accepted, interval);
-                $finish;
+                $finish(0);
             end
         end
         if (clock == 1000) begin
             $display("no results");
-            $finish;
+            $finish(0);
         end
     end
 endmodule
