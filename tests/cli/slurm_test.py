@@ -62,7 +62,7 @@ def main():
         print(f"skipped: no {', '.join(missing)} (packages slurm-wlm, munge)" if missing else "skipped: Slurm wants root")
         return 77
     text = (ROOT / "docs/cluster.md").read_text()
-    commands = re.search(r"<!-- slurm -->\n```sh\n(.*?)```", text, re.DOTALL).group(1)
+    commands = re.search(r"<!-- run by tests/cli/slurm_test.py -->\n```sh\n(.*?)```", text, re.DOTALL).group(1)
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
         folder.chmod(0o755)
