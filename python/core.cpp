@@ -58,17 +58,16 @@ void check(std::span<const T> codes, std::int64_t low, std::int64_t high, std::s
 }
 
 /// All bits that occur in these words.
-template <class T>
-T bits_of(std::span<const T> words) {
-    T out = 0;
+std::uint16_t bits_of(std::span<const std::uint16_t> words) {
+    std::uint16_t out = 0;
     with_lanes([&] {
         const std::size_t half = words.size() / 2;
-        T low = words.size() % 2 != 0 ? words.back() : T{0}, high = 0;  // two, so that neither waits for the other
+        unsigned low = words.size() % 2 != 0 ? words.back() : 0U, high = 0;  // two, so that neither waits for the other
         for (std::size_t i = 0; i < half; ++i) {
-            low = static_cast<T>(low | words[i]);
-            high = static_cast<T>(high | words[half + i]);
+            low |= words[i];
+            high |= words[half + i];
         }
-        out = static_cast<T>(low | high);
+        out = static_cast<std::uint16_t>(low | high);
     });
     return out;
 }

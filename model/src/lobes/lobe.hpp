@@ -59,17 +59,14 @@ private:
                 return bits >> 31 != 0;
             }
         }
-        // Copies: the compiler knows then that no store changes them, and takes what they lead to out of the loop.
+        // A copy: the compiler knows then that no store changes it, and takes what it leads to out of the loop.
         const Format format = f_;
         const std::int32_t one = profile().one();
-        const std::uint16_t* const n_in = n.data();
-        const std::int32_t* const cos_in = cos_code.data();
-        std::uint32_t* const out = packed.data();
-        const std::size_t count = n.size();
-        for (std::size_t i = 0; i < count; ++i) {
-            const Corrected in = correct(n_in[i], cos_in[i], one);
-            out[i] = pack({in.negative ? 0U : static_cast<std::uint32_t>(format.steps(in.n, in.cosine).y), in.clamped});
-            bits |= out[i];
+        for (std::size_t i = 0; i < n.size(); ++i) {
+            const Corrected in = correct(n[i], cos_code[i], one);
+            packed[i] =
+                pack({in.negative ? 0U : static_cast<std::uint32_t>(format.steps(in.n, in.cosine).y), in.clamped});
+            bits |= packed[i];
         }
         return bits >> 31 != 0;
     }
