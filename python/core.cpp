@@ -62,10 +62,11 @@ std::uint16_t bits_of(std::span<const std::uint16_t> words) {
     std::uint16_t out = 0;
     with_lanes([&] {
         const std::size_t half = words.size() / 2;
-        unsigned low = words.size() % 2 != 0 ? words.back() : 0U, high = 0;  // two, so that neither waits for the other
+        std::uint16_t low = words.size() % 2 != 0 ? words.back() : std::uint16_t{0};
+        std::uint16_t high = 0;  // two, so that neither waits for the other
         for (std::size_t i = 0; i < half; ++i) {
-            low |= words[i];
-            high |= words[half + i];
+            low = static_cast<std::uint16_t>(low | words[i]);
+            high = static_cast<std::uint16_t>(high | words[half + i]);
         }
         out = static_cast<std::uint16_t>(low | high);
     });
