@@ -16,21 +16,26 @@ struct Module {
     std::vector<std::string_view> contains = {};
 };
 
+/// The modules, the dividers, and the one that chooses a divider.
+std::vector<Module> with_dividers(std::vector<Module> out) {
+    Module divider{"glint_divider"};
+    for (const Divider& one : dividers()) {
+        out.push_back({one.module, one.parts});
+        divider.contains.push_back(one.module);
+    }
+    out.push_back(divider);
+    return out;
+}
+
 /// The modules by hand that units share. One that is not here is the core of a lobe or an effect, which says itself
 /// what it contains.
 const std::vector<Module>& modules() {
-    static const std::vector<Module> all{
+    static const std::vector<Module> all = with_dividers({
         {"glint_delay"},
         {"glint_fifo"},
         {"glint_skid"},
         {"glint_multiplier"},
         {"glint_multiplier_sliced", {"glint_delay"}},
-        {"glint_divider_restoring"},
-        {"glint_divider_radix4"},
-        {"glint_divider_iterative"},
-        {"glint_divider_reciprocal", {"glint_delay", "glint_multiplier"}},
-        {"glint_divider",
-         {"glint_divider_restoring", "glint_divider_radix4", "glint_divider_iterative", "glint_divider_reciprocal"}},
         {"glint_sqrt"},
         {"glint_normalise", {"glint_delay"}},
         {"glint_signed_multiplier", {"glint_delay"}},
@@ -64,7 +69,7 @@ const std::vector<Module>& modules() {
          {"glint_delay", "glint_fifo", "glint_stream", "glint_shade_part", "glint_effect_ambient"}},
         {"glint_effect_pixel", {"glint_stream", "glint_wait", "glint_frame"}},
         {"glint_effect_lobe_select", {"glint_fifo", "glint_stream"}},
-    };
+    });
     return all;
 }
 
