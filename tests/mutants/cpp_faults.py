@@ -318,20 +318,32 @@ def plant(tree, record, longest, most):
     held = json.loads(state.read_text())
     known = shortened(tests(tree))
     met = {name: (seconds, set(met)) for name, (seconds, met) in held["met"].items()}
-    done = {key(line) for line in read(record) if not is_open(line) or line["longest"] >= longest and line["tried"] >= most}
-    kills = Counter()  # by file and test: what found a fault of a file may find the next
+    before = {key(line): line for line in read(record)}
+    tries = {}  # by file and test: what found a fault of a file may find the next
     with record.open("a") as out:
         for number, fault in held["faults"].items():
             line = {name: fault[name] for name in ("kind", "file", "line", "mutation", "start")}
             line["sha256"] = digest(ROOT / fault["file"])
-            if key(line) in done:
-                continue
             subject = Path(fault["file"]).stem.removeprefix("glint_").removeprefix("effect_")
-            meets = sorted((-kills[fault["file"], name], subject not in name, seconds, name) for name, (seconds, some) in met.items()
-                           if int(number) in some and seconds <= longest)[:most]
-            killer = next((name for *_, seconds, name in meets if not passes(known[name], number, 2 + 5 * seconds)), "")
-            kills[fault["file"], killer] += 1
-            out.write(json.dumps({**line, "killed_by": killer, "tried": len(meets), "longest": longest}) + "\n")
+
+            def dear(name):
+                """Seconds until it has found a fault."""
+                found, tried = tries.get((fault["file"], name), (0, 0))
+                return met[name][0] * (tried + 1) / (found + (0.5 if subject in name else 0.1))
+
+            meets = sorted((name for name, (seconds, some) in met.items() if int(number) in some and seconds <= longest), key=dear)[:most]
+            last = before.get(key(line))
+            if last and (not is_open(last) or last["longest"] >= longest and last["tried"] >= len(meets)):
+                continue
+            line |= {"killed_by": "", "tried": len(meets), "longest": longest}
+            for name in meets:
+                found = not passes(known[name], number, 2 + 5 * met[name][0])
+                hits, tried = tries.get((fault["file"], name), (0, 0))
+                tries[fault["file"], name] = (hits + found, tried + 1)
+                if found:
+                    line["killed_by"] = name
+                    break
+            out.write(json.dumps(line) + "\n")
             out.flush()
 
 

@@ -95,14 +95,15 @@ class Gates:
 class Unit:
     """The gates of one clock, from Yosys."""
 
-    def __init__(self, faults, applied, memory="memory"):
+    def __init__(self, faults, applied, memory="memory", file="unit.il"):
         script = "".join(f"mutate -ctrl m_{number} 1 1 -module {faults.module} {apply}\n" for number, apply in applied.items())
-        faults.yosys(f"""read_rtlil unit.il
+        faults.yosys(f"""read_rtlil {file}
 {script}delete t:glint_mutant
+{"setundef -undriven -expose" if file != "unit.il" else ""}
 opt_expr
 opt_clean
 {memory}
-setundef -undriven -zero
+{"setundef -undriven -zero" if memory else ""}
 opt_expr
 opt_clean
 techmap
@@ -160,8 +161,8 @@ write_json clock.json
             for i, bit in enumerate(bits):
                 value[bit] = int(name == f"m_{fault}") if name.startswith("m_") else ports(name, i)
         value |= {bit: gates.free(("memory", i)) for i, bit in enumerate(self.answers)}
-        for wire, kind, (a, b, s) in self.ordered:
-            a, b, s = value[a], value[b], value[s]
+        for wire, kind, operands in self.ordered:
+            a, b, s = (value[x] if x in value else gates.free(("cut", x)) for x in operands)
             value[wire] = (a ^ 1 if kind == "$_NOT_" else gates.both(a, b) if kind == "$_AND_" else gates.either(a, b) if kind == "$_OR_"
                            else gates.differ(a, b) if kind == "$_XOR_" else gates.choose(a, b, s))
         return value
@@ -278,22 +279,75 @@ def abc(faults, gates, pairs, seconds):
     return "Networks are equivalent" in done.stdout
 
 
+def near(faults, applied):
+    """A netlist with what the faults can reach in a clock and what decides that; the rest is cut off. Its name."""
+    faults.yosys("read_rtlil unit.il\nwrite_json unit.json\n")
+    module = json.loads((faults.folder / "unit.json").read_text())["modules"][faults.module]
+    cells, ports = module["cells"], module["ports"]
+    driver, readers = {}, {}
+    for name, cell in cells.items():
+        for port, bits in cell["connections"].items():
+            for bit in bits:
+                if cell["port_directions"][port] == "output":
+                    driver[bit] = name
+                else:
+                    readers.setdefault(bit, []).append(name)
+    names = {name.replace("\\", ""): name for name in cells}
+    mutated = [names[re.search(r"-cell (\S+)", text)[1].replace("\\", "")] for text in applied.values()]
+
+    def reached(start, way, others):
+        """`start`, and on from cell to cell up to registers and memories."""
+        seen, stack = set(), list(start)
+        while stack:
+            name = stack.pop()
+            if name in seen:
+                continue
+            seen.add(name)
+            if name in start or not re.match(r"\$(dff|mem)", cells[name]["type"]):
+                stack += [other for port, bits in cells[name]["connections"].items() if cells[name]["port_directions"][port] == way
+                          for bit in bits for other in others(bit)]
+        return seen
+
+    changed = reached(mutated, "output", lambda bit: readers.get(bit, []))
+    kept = reached(changed, "input", lambda bit: [driver[bit]] if bit in driver and not re.match(r"\$(dff|mem)", cells[driver[bit]]["type"]) else [])
+
+    def cut(found):
+        """A cell that is left; of a register the value that it takes over, as an output; one with a fault stays whole."""
+        name = names.get(found[2].replace("\\", ""))
+        if name not in kept:
+            return ""
+        if not cells[name]["type"].startswith("$dff"):
+            return found[0]
+        bits, port, whole = cells[name]["connections"]["D"], "Q" if name in mutated else "D", found[0] if name in mutated else ""
+        return f"  wire width {len(bits)} output {50000 + found.start()} \\next_{found.start()}\n" \
+            f"  connect \\next_{found.start()} {re.search(rf'connect .{port} (.*)', found[0])[1]}\n" + whole
+
+    text = re.sub(r"(?:  attribute .*\n)*  cell (\S+) (\S+)\n(?:    .*\n)*  end\n", cut, (faults.folder / "unit.il").read_text())
+    text = re.sub(r"output \d+ (\\\w+)\n", lambda found: found[0] if found[1].startswith("\\next_") or any(
+        driver.get(bit) in kept for bit in ports.get(found[1][1:], {"bits": []})["bits"]) else f"{found[1]}\n", text)
+    (faults.folder / "near.il").write_text(text)
+    return "near.il"
+
+
 def equivalent(faults, numbers):
     """Those that change no output and no next value of a register, whatever the inputs and the registers hold. Memories are
     cut: their addresses count as outputs, what they answer as inputs."""
     listed = {f["number"]: f for f in faults.faults}
-    unit, gates = Unit(faults, {n: listed[n]["apply"] for n in numbers if "apply" in listed[n]}, ""), Gates()
-    told = unit.live(bit for bits in unit.outputs.values() for bit in bits)
-    free = {q: gates.free((name, "any")) for q, name in unit.names.items()}
+    applied = {n: listed[n]["apply"] for n in numbers if "apply" in listed[n]}
+    large = bool(faults.unit["effect"])
+    unit, gates = Unit(faults, applied, "", near(faults, applied) if large else "unit.il"), Gates()
+    outputs = [bit for bits in unit.outputs.values() for bit in bits]
+    told = [*outputs, *unit.asked, *unit.registers.values()] if large else unit.live(outputs)
+    free = {q: gates.free(("any", q)) for q in unit.registers}
 
     def values(number):
         value = unit.clock(gates, free, lambda name, i: gates.free((name, i)), number)
-        return [value[bit] for bit in told]
+        return [value[bit] if bit in value else gates.free(("cut", bit)) for bit in told]
 
     clean, out = values(0), set()
-    for number in numbers:
-        pairs = sorted({(x, y) for x, y in zip(clean, values(number)) if x != y}) if "apply" in listed[number] else None
-        if pairs == [] or pairs and abc(faults, gates, pairs, 10):
+    for number in applied:
+        pairs = sorted({(x, y) for x, y in zip(clean, values(number)) if x != y})
+        if not pairs or abc(faults, gates, pairs, 10):
             out.add(number)
     return out
 
