@@ -160,7 +160,7 @@ void add_emit(CLI::App& app, Chosen& chosen) {
     command->add_option("--profile", options->profile, "Profiles: p8, p12, p16 or the lobe's F,..,O")
         ->capture_default_str();
     command->add_option("--architecture", options->architecture,
-                        "How the Verilog is built: iterative, radix4:r2, ... (docs/rtl.md)");
+                        "How the Verilog is built: iterative, restoring:r2, ... (docs/rtl.md)");
     command->add_option("--sidebands", options->sidebands,
                         "More ports of the AXI4-Stream unit: keep, id, dest (docs/rtl.md)");
     io::add_integer(*command, "--lanes", options->lanes, 2, 64,

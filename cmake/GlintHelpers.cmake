@@ -25,25 +25,6 @@ function(glint_words target)
   endif()
 endfunction()
 
-# glint_registry(out file macro): the names in a registry, in its order.
-function(glint_registry out file macro)
-  set(registry ${PROJECT_SOURCE_DIR}/model/include/glint/${file})
-  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${registry})
-  file(STRINGS ${registry} lines REGEX "^${macro}\\([a-z0-9_]+\\)$")
-  list(TRANSFORM lines REPLACE "^${macro}\\((.*)\\)$" "\\1")
-  set(${out} ${lines} PARENT_SCOPE)
-endfunction()
-
-function(glint_lobes out)
-  glint_registry(names lobes.def GLINT_LOBE)
-  set(${out} ${names} PARENT_SCOPE)
-endfunction()
-
-function(glint_effects out)
-  glint_registry(names effects.def GLINT_EFFECT)
-  set(${out} ${names} PARENT_SCOPE)
-endfunction()
-
 # glint_kernels(out): the HLS kernels of this build, `<lobe>` and `effect_<effect>`: those whose top functions are emitted.
 function(glint_kernels out)
   file(GLOB emitted RELATIVE ${PROJECT_SOURCE_DIR}/hls/generated CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/hls/generated/*_p12.cpp)

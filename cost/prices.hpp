@@ -26,7 +26,7 @@ struct Prices {
     std::vector<AccuracyRecord> accuracy;
     std::vector<Price> fpga;
     std::optional<CpuPrices> cpu;
-    std::vector<Price> hls;  ///< of hls.json: architecture "hls", or "hls:radix4" by the form of its divider
+    std::vector<Price> hls;  ///< of hls.json: architecture "hls", or "hls:FORM" by the form of its divider
     std::string tools;       ///< "yosys 0.23, nextpnr-ice40 0.4"
 
     const AccuracyRecord* find(const std::string& lobe, const std::string& profile) const;

@@ -24,8 +24,14 @@ std::string module_of(const Design& design) { return std::filesystem::path(desig
 
 // ---- lobes -------------------------------------------------------------------------------------------------------
 
-constexpr std::string_view all_architectures =
-    "restoring,radix4,iterative,reciprocal,restoring:m2,radix4:m2,iterative:m2,reciprocal:m2,pipelined,pipelined:m2";
+/// Every divider, and units without one, with products of one clock and of two.
+std::string all_architectures() {
+    std::string out = "pipelined,pipelined:m2";
+    for (const std::string_view stages : {"", ":m2"}) {
+        for (const Divider& divider : dividers()) out += fmt::format(",{}{}", divider.name, stages);
+    }
+    return out;
+}
 
 /// Those of a list that the lobe can have: one with a divider and one without have none in common. Throws Error when
 /// there is none.
@@ -33,7 +39,7 @@ std::vector<Architecture> architectures(const Lobe& lobe, const std::string& tex
     if (text.empty()) return {default_architecture(lobe)};
     std::vector<Architecture> out;
     std::string refused;
-    for (const std::string& name : io::split_list(text == "all" ? std::string(all_architectures) : text)) {
+    for (const std::string& name : io::split_list(text == "all" ? all_architectures() : text)) {
         try {
             const Architecture architecture = parse_architecture(lobe, name);
             if (std::find(out.begin(), out.end(), architecture) == out.end()) out.push_back(architecture);

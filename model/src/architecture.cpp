@@ -14,22 +14,9 @@
 namespace glint {
 namespace {
 
-struct Divider {
-    std::string_view name;
-    bool rows;                           ///< of its rows, some may share a clock
-    bool pipeline;                       ///< takes operands every clock
-    int (*clocks)(int Q, int R, int M);  ///< for Q quotient bits, R rows in a clock, products of M clocks
-};
-
 /// x / y, rounded up.
 constexpr int up(int x, int y) { return (x + y - 1) / y; }
 
-/// In the order of the parameter DIVIDER; glint_ports.v has the same clocks.
-constexpr std::array<Divider, 4> dividers{
-    {{"restoring", true, true, [](int Q, int R, int) { return up(Q, R); }},
-     {"radix4", true, true, [](int Q, int R, int) { return 1 + up(up(Q, 2), R); }},
-     {"iterative", false, false, [](int Q, int, int) { return Q + 1; }},
-     {"reciprocal", false, true, [](int Q, int, int M) { return 1 + M + up(Q, 16) * (2 * M + 1); }}}};
 constexpr int most_rows = 32;
 constexpr int most_stages = 4;
 
@@ -48,7 +35,7 @@ std::string legal(const Lobe& lobe) {
     if (!lobe.divider)
         return fmt::format("pipelined{}{}[:mN][:FAMILY], N = 1 to {}, FAMILY {}", lobe.deep ? "[:deep]" : "",
                            lobe.block ? "[:block]" : "", most_stages, names);
-    for (const Divider& divider : dividers)
+    for (const Divider& divider : dividers())
         out += fmt::format("{}{}[:mN][:FAMILY], ", divider.name, divider.rows ? "[:rN]" : "");
     return out + fmt::format("N of r 1 to {}, N of m 1 to {}, FAMILY {}", most_rows, most_stages, names);
 }
@@ -80,15 +67,39 @@ std::optional<int> take_number(std::string_view& rest, char letter, int most) {
     return number;
 }
 
+const Divider& divider_of(const Architecture& architecture) {
+    return dividers()[static_cast<std::size_t>(architecture.parameter("DIVIDER", 0))];
+}
+
 }  // namespace
+
+std::span<const Divider> dividers() {
+    static const std::array<Divider, 4> all{
+        {{"restoring", "glint_divider_restoring", true, true, [](int Q, int R, int) { return up(Q, R); }},
+         {"radix4", "glint_divider_radix4", true, true, [](int Q, int R, int) { return 1 + up(up(Q, 2), R); }},
+         {"iterative", "glint_divider_iterative", false, false, [](int Q, int, int) { return Q + 1; }},
+         {"reciprocal",
+          "glint_divider_reciprocal",
+          false,
+          true,
+          [](int Q, int, int M) { return 1 + M + up(Q, 16) * (2 * M + 1); },
+          {"glint_delay", "glint_multiplier"}}}};
+    return all;
+}
+
+std::string numbered_dividers() {
+    std::string out;
+    for (const Divider& divider : dividers())
+        out += fmt::format("{}{} {}", out.empty() ? "" : ", ", &divider - dividers().data(), divider.name);
+    return out;
+}
 
 Architecture parse_architecture(const Lobe& lobe, std::string_view text) {
     const Error refused(fmt::format("architecture '{}' is not legal for {}: {}", text, lobe.name, legal(lobe)));
     const std::string_view base = text.substr(0, text.find(':'));
     std::string_view rest = text.substr(base.size());
-    const auto* divider =
-        std::find_if(dividers.begin(), dividers.end(), [&](const Divider& d) { return d.name == base; });
-    if (lobe.divider ? divider == dividers.end() : base != "pipelined") throw refused;
+    const auto divider = std::ranges::find(dividers(), base, &Divider::name);
+    if (lobe.divider ? divider == dividers().end() : base != "pipelined") throw refused;
     const std::string family = take_family(rest);
     const bool rows = lobe.divider && divider->rows;
     const bool deep = lobe.deep && take_word(rest, ":deep");
@@ -104,7 +115,7 @@ Architecture parse_architecture(const Lobe& lobe, std::string_view text) {
     if (*stages != 1) out.name += fmt::format(":m{}", *stages);
     if (!family.empty()) out.name += ':' + family;
     if (lobe.divider) {
-        out.parameters = {{"DIVIDER", static_cast<int>(divider - dividers.begin())},
+        out.parameters = {{"DIVIDER", static_cast<int>(divider - dividers().begin())},
                           {"REGISTER_EVERY", *register_every}};
     }
     out.parameters.emplace_back("MULTIPLIER_STAGES", *stages);
@@ -146,7 +157,7 @@ std::vector<Architecture> listed_architectures(const Lobe& lobe) {
     std::vector<Architecture> out;
     for (const std::string_view stages : {"", ":m2"}) {
         if (!lobe.divider) out.push_back(parse_architecture(lobe, fmt::format("pipelined{}", stages)));
-        for (const Divider& divider : dividers) {
+        for (const Divider& divider : dividers()) {
             if (lobe.divider) out.push_back(parse_architecture(lobe, fmt::format("{}{}", divider.name, stages)));
         }
     }
@@ -157,17 +168,15 @@ std::vector<Architecture> listed_architectures(const Lobe& lobe) {
 
 int division_clocks(const Architecture& architecture, int quotient_bits) {
     if (quotient_bits == 0) return 0;
-    const Divider& divider = dividers[static_cast<std::size_t>(architecture.parameter("DIVIDER", 0))];
-    return divider.clocks(quotient_bits, architecture.parameter("REGISTER_EVERY", 1),
-                          architecture.parameter("MULTIPLIER_STAGES", 1));
+    return divider_of(architecture)
+        .clocks(quotient_bits, architecture.parameter("REGISTER_EVERY", 1),
+                architecture.parameter("MULTIPLIER_STAGES", 1));
 }
 
-bool takes_one_a_clock(const Architecture& architecture) {
-    return dividers[static_cast<std::size_t>(architecture.parameter("DIVIDER", 0))].pipeline;
-}
+bool takes_one_a_clock(const Architecture& architecture) { return divider_of(architecture).pipeline; }
 
 Architecture default_architecture(const Lobe& lobe) {
-    return parse_architecture(lobe, lobe.divider ? dividers.front().name : "pipelined");
+    return parse_architecture(lobe, lobe.divider ? dividers().front().name : "pipelined");
 }
 
 }  // namespace glint

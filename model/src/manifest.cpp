@@ -143,8 +143,12 @@ std::string families_of(const FileRoots& roots) {
 std::string manifest(std::span<const HardwareUnit> units, const FileRoots& roots) {
     const bool variable = roots.by_hand.find('$') != std::string_view::npos;
     return fmt::format(
-        "{{\"format\": 1,\n \"variables\": {},\n \"modules\": {},\n \"families\": {},\n \"units\": [\n {}\n]}}\n",
-        variable ? R"({"GLINT_RTL": "the folder rtl/ of Glint"})" : "{}", modules(units, roots), families_of(roots),
+        "{{\"format\": 1,\n \"variables\": {},\n \"dividers\": {},\n \"modules\": {},\n \"families\": {},\n \"units\": "
+        "[\n {}\n]}}\n",
+        variable ? R"({"GLINT_RTL": "the folder rtl/ of Glint"})" : "{}",
+        list(
+            dividers(), [](const Divider& divider) { return quoted(divider.name); }, "[", "]", ", "),
+        modules(units, roots), families_of(roots),
         list(
             units, [&](const HardwareUnit& unit) { return described(unit, roots); }, "", "", ",\n "));
 }

@@ -1,4 +1,5 @@
-// The lists of lobes and of effects. With GLINT_ONLY_LOBE, for a program that tests one lobe: that lobe, and no effect.
+// The lists of lobes and of effects, GLINT_ALL_LOBES and GLINT_ALL_EFFECTS, are those of registry.cmake; a program that
+// tests one lobe has that lobe, and no effect.
 
 #include "glint/effect.hpp"
 #include "glint/lobes.hpp"
@@ -8,13 +9,7 @@ namespace glint {
 // The file of each defines its entry.
 #define GLINT_LOBE(name) Lobe name##_lobe();
 #define GLINT_EFFECT(name) Effect name##_effect();
-#ifdef GLINT_ONLY_LOBE
-#define GLINT_ENTRY(name) GLINT_LOBE(name)
-GLINT_ENTRY(GLINT_ONLY_LOBE)
-#else
-#include "glint/effects.def"
-#include "glint/lobes.def"
-#endif
+GLINT_ALL_LOBES GLINT_ALL_EFFECTS;
 #undef GLINT_EFFECT
 #undef GLINT_LOBE
 
@@ -22,22 +17,12 @@ GLINT_ENTRY(GLINT_ONLY_LOBE)
 #define GLINT_EFFECT(name) name##_effect(),
 
 std::span<const Lobe> lobes() {
-    static const std::vector<Lobe> all{
-#ifdef GLINT_ONLY_LOBE
-        GLINT_ENTRY(GLINT_ONLY_LOBE)
-#else
-#include "glint/lobes.def"
-#endif
-    };
+    static const std::vector<Lobe> all{GLINT_ALL_LOBES};
     return all;
 }
 
 std::span<const Effect> effects() {
-    static const std::vector<Effect> all{
-#ifndef GLINT_ONLY_LOBE
-#include "glint/effects.def"
-#endif
-    };
+    static const std::vector<Effect> all{GLINT_ALL_EFFECTS};
     return all;
 }
 

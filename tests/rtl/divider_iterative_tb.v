@@ -15,8 +15,6 @@ module divider_iterative_tb;
     parameter Q_W       = 16;
     parameter DIVISIONS = 1000;
 
-    localparam W = Y_W + Q_W;
-
     reg            clk, enable, start;
     reg  [X_W-1:0] dividend;
     reg  [Y_W-1:0] divisor;
@@ -47,33 +45,12 @@ module divider_iterative_tb;
     always #1 clk = ~clk;
 
     integer seed, divisions, mismatches, age, wait_more, broken_off;
-    reg [W-1:0] drawn;
-
-    function [63:0] draw;
-        input integer most;
-        integer bits;
-        begin
-            bits = 1 + {$random(seed)} % most;
-            case ({$random(seed)} % 6)
-                0: draw = 1;
-                1: draw = 64'd1 << (bits - 1);
-                2: draw = ~64'd0 >> (64 - bits);
-                3: draw = ~64'd0 >> (64 - most);
-                default: draw = {$random(seed), $random(seed)} >> (64 - bits);
-            endcase
-        end
-    endfunction
+`include "division.vh"
 
     task begin_anew;
         begin
-            divisor = draw(Y_W);
-            if (divisor == 0) divisor = 1;
-            case ({$random(seed)} % 4)
-                0: drawn = 0;
-                1: drawn = divisor - 1;
-                default: drawn = draw(Y_W) % divisor;
-            endcase
-            drawn    = drawn + divisor * draw(Q_W);
+            draw_division;
+            divisor  = drawn_divisor;
             dividend = drawn[X_W-1:0];
             start    = 1'b1;
             age      = 0;

@@ -64,7 +64,8 @@ def run(executable_folder, files, width):
     """As `simulate`, with the warnings of files that are not ours left out."""
     executable = Path(executable_folder) / "bench"
     a, b, signed, stages = width
-    command = ["iverilog", "-g2012", "-DNO_ICE40_DEFAULT_ASSIGNMENTS", f"-I{files[-1].parent}", f"-I{files[-2].parent}", "-s", "multiplier_tb", "-o", str(executable)]
+    command = ["iverilog", "-g2012", "-DNO_ICE40_DEFAULT_ASSIGNMENTS", f"-I{files[-1].parent}",
+               f"-I{files[-2].parent}", f"-I{BENCH.parent}", "-s", "multiplier_tb", "-o", str(executable)]
     command += [f"-Pmultiplier_tb.{n}={v}" for n, v in (("A_W", a), ("B_W", b), ("SIGNED", signed), ("STAGES", stages),
                                                         ("PRODUCTS", 10000))]
     subprocess.run([*command, *map(str, [*files, BENCH])], check=True, capture_output=True)

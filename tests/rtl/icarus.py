@@ -15,7 +15,9 @@ class Failed(Exception):
 def build(executable, top, files, parameters=None, macros=None, strict=True):
     """Compiles; a warning is a failure, unless `strict` is off: for Verilog that is not ours, of any year."""
     command = ["iverilog", *(["-g2005", "-Wall"] if strict else ["-g2012"]), "-s", top, "-o", str(executable)]
-    if not strict:
+    if strict:
+        command += [f"-I{Path(__file__).parent}"]
+    else:
         command += sorted({f"-I{Path(file).parent}" for file in files})
     command += [f"-P{top}.{name}={value}" for name, value in (parameters or {}).items()]
     command += [f"-D{name}={value}" for name, value in (macros or {}).items()]

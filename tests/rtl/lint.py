@@ -22,11 +22,12 @@ import units
 from units import RTL
 
 ROOT = RTL.parent
+DIVIDERS = len(units.dividers())
 
 DIVIDER_WIDTHS = ((3, 1, 2), (3, 2, 2), (4, 2, 2), (3, 4, 2), (10, 5, 5), (9, 6, 5), (28, 26, 12), (34, 28, 16),
                   (40, 30, 20), (61, 40, 31))
 MODULES = {
-    "glint_divider": ("X_W Y_W Q_W DIVIDER BESIDE_W", [(*w, d, 1 + 2 * d) for w in DIVIDER_WIDTHS[::2] for d in range(4)]),
+    "glint_divider": ("X_W Y_W Q_W DIVIDER BESIDE_W", [(*w, d, 1 + 2 * d) for w in DIVIDER_WIDTHS[::2] for d in range(DIVIDERS)]),
     "glint_divider_restoring": ("X_W Y_W Q_W REGISTER_EVERY", [(*w, r) for w in DIVIDER_WIDTHS[2::3] for r in (2, 3, 32)]),
     "glint_divider_radix4": ("X_W Y_W Q_W REGISTER_EVERY", [(*w, r) for w in DIVIDER_WIDTHS[2::3] for r in (2, 3, 32)]),
     "glint_divider_reciprocal": ("X_W Y_W Q_W ZEROS MULTIPLIER_STAGES",
@@ -45,7 +46,7 @@ MODULES = {
                      (18, 9, 4, 16, 2, 1, 1, 1), (18, 9, 4, 16, 3, 1, 4, 16))),
     "glint_ratio": ("F S SYMMETRIC DIVIDER MULTIPLIER_STAGES",
                     [(F, S, symmetric, d, 1 + d) for F, S in ((8, 1), (8, 30), (18, 15), (30, 1), (30, 30))
-                     for symmetric in (0, 1) for d in range(4)]),
+                     for symmetric in (0, 1) for d in range(DIVIDERS)]),
     "glint_power": ("S O SQUARES CHOICE MULTIPLIER_STAGES", ((4, 4, 2, 1, 1), (30, 28, 2, 1, 4), (30, 4, 2, 1, 1),
                                                              (17, 12, 0, 0, 2), (17, 12, 5, 0, 1))),
     "glint_log2": ("F T L CUT MULTIPLIER_STAGES", ((8, 4, 9, 0, 1), (18, 5, 25, 0, 3), (30, 10, 31, 0, 1), (30, 4, 40, 0, 2),
@@ -84,7 +85,7 @@ MODULES = {
     "glint_axis": ("F O USER_W WORD_W", ((8, 4, 1, 64), (8, 28, 16, 32), (20, 16, 9, 32), (30, 4, 1, 64), (30, 28, 64, 64))),
 }
 # The wrappers, with every divider, and with products of several clocks.
-ARCHITECTURES = [{"DIVIDER": d, "MULTIPLIER_STAGES": m} for d, m in ((1, 1), (2, 3), (3, 2), (0, 4))]
+ARCHITECTURES = [{"DIVIDER": d, "MULTIPLIER_STAGES": (4, 1, 3, 2)[d % 4]} for d in range(DIVIDERS)]
 # Units that are linted and damaged with --modules.
 DAMAGED = ("glint_bps_p12", "glint_bps_axis_p12", "glint_effect_lambert_p12")
 

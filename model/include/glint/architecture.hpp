@@ -1,6 +1,7 @@
 // How a unit of Verilog is built. Every architecture of a unit gives the same bits; they differ in clocks and area.
 #pragma once
 
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -11,10 +12,27 @@ namespace glint {
 struct HardwareUnit;
 struct Lobe;
 
+/// A divider: a module behind glint_divider.v.
+struct Divider {
+    std::string_view name;  ///< of its architecture, and behind "glint_divider_" of its module
+    std::string_view module;
+    bool rows;                                 ///< of its rows, some may share a clock
+    bool pipeline;                             ///< takes operands every clock
+    int (*clocks)(int Q, int R, int M);        ///< for Q quotient bits, R rows in a clock, products of M clocks
+    std::vector<std::string_view> parts = {};  ///< modules that it contains
+};
+
+/// All dividers, in the order of the parameter DIVIDER: this is the one list of them in C++, and rtl/units.json has it
+/// for others. glint_divider.v and glint_ports.v (the same clocks) are the Verilog of it.
+std::span<const Divider> dividers();
+
+/// "0 restoring, 1 ...", each divider with its number.
+std::string numbered_dividers();
+
 struct Architecture {
-    std::string name;  ///< canonical: what is as in the default is left out, e.g. "restoring", "radix4:r2:m3"
-    /// Of the unit and of its wrappers, as in docs/rtl.md: DIVIDER (0 restoring, 1 radix4, 2 iterative, 3 reciprocal)
-    /// and REGISTER_EVERY for a lobe with a divider, MULTIPLIER_STAGES for all, DEEP (0 or 1) where the lobe has it.
+    std::string name;  ///< canonical: what is as in the default is left out, e.g. "restoring", "iterative:m3"
+    /// Of the unit and of its wrappers, as in docs/rtl.md: DIVIDER (an index of dividers()) and REGISTER_EVERY for a
+    /// lobe with a divider, MULTIPLIER_STAGES for all, DEEP (0 or 1) where the lobe has it.
     std::vector<std::pair<std::string, int>> parameters;
     std::string family = {};  ///< devices whose own blocks it is built of, a name of families(); empty: any device
     bool block = false;       ///< its tables ask for block memory
@@ -25,9 +43,9 @@ struct Architecture {
     friend bool operator==(const Architecture&, const Architecture&) = default;
 };
 
-/// For a lobe with a divider "DIVIDER[:rN][:mN][:FAMILY]" with DIVIDER one of restoring, radix4, iterative, reciprocal;
-/// for others "pipelined[:deep][:block][:mN][:FAMILY]". rN, of restoring and radix4: a register after every N rows of
-/// the divider, 1 to 32; mN: a product takes N clocks, 1 to 4. Both are 1 where they are left out. deep, of `decay`: a
+/// For a lobe with a divider "DIVIDER[:rN][:mN][:FAMILY]" with DIVIDER a name of dividers(); for others
+/// "pipelined[:deep][:block][:mN][:FAMILY]". rN, of dividers with rows: a register after every N rows of the divider,
+/// 1 to 32; mN: a product takes N clocks, 1 to 4. Both are 1 where they are left out. deep, of `decay`: a
 /// register after each step of glint_normalise, and one more after each table. block, where Lobe::block is: the tables
 /// ask for block memory, which a tool does not give to small ones of its own. FAMILY: ecp5, up5k or ice40. Throws
 /// Error.

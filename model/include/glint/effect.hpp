@@ -130,7 +130,7 @@ struct Effect {
     bool takes_lobe = false;
 };
 
-/// All effects, in the order of effects.def.
+/// All effects, in the order of model/registry.cmake.
 std::span<const Effect> effects();
 
 /// Throws Error with the list of the known effects.

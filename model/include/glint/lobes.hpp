@@ -1,4 +1,4 @@
-// The lobes that have a golden model; which, says lobes.def.
+// The lobes that have a golden model; which, says model/registry.cmake.
 #pragma once
 
 #include <memory>
@@ -38,7 +38,7 @@ struct Lobe {
     double (*error_bound)(const Profile&) = nullptr;
 };
 
-/// All lobes, in the order of lobes.def.
+/// All lobes, in the order of model/registry.cmake.
 std::span<const Lobe> lobes();
 
 /// Throws Error with the list of the known lobes.

@@ -98,7 +98,8 @@ std::vector<HardwareUnit::Parameter> described_parameters(std::string_view width
     std::vector<HardwareUnit::Parameter> out{{std::string(width), "16", "at least 1", fmt::format("bits of {}", of)}};
     for (const auto& [name, value] : architecture.parameters) {
         if (name == "DIVIDER") {
-            out.push_back({name, std::to_string(value), "0 to 3", "0 restoring, 1 radix4, 2 iterative, 3 reciprocal"});
+            out.push_back(
+                {name, std::to_string(value), fmt::format("0 to {}", dividers().size() - 1), numbered_dividers()});
         } else if (name == "REGISTER_EVERY") {
             out.push_back({name, std::to_string(value), "1 to 32", "rows of the divider in a clock"});
         } else if (name == "DEEP") {
