@@ -312,15 +312,19 @@ def near(faults, applied):
     kept = reached(changed, "input", lambda bit: [driver[bit]] if bit in driver and not re.match(r"\$(dff|mem)", cells[driver[bit]]["type"]) else [])
 
     def cut(found):
-        """A cell that is left; of a register the value that it takes over, as an output; one with a fault stays whole."""
+        """A cell that is left; of a register or a memory what it is given, as outputs; a register with a fault stays whole."""
         name = names.get(found[2].replace("\\", ""))
         if name not in kept:
             return ""
-        if not cells[name]["type"].startswith("$dff"):
+        if not re.match(r"\$(dff|mem)", cells[name]["type"]):
             return found[0]
-        bits, port, whole = cells[name]["connections"]["D"], "Q" if name in mutated else "D", found[0] if name in mutated else ""
-        return f"  wire width {len(bits)} output {50000 + found.start()} \\next_{found.start()}\n" \
-            f"  connect \\next_{found.start()} {re.search(rf'connect .{port} (.*)', found[0])[1]}\n" + whole
+        out = ""
+        for port, bits in cells[name]["connections"].items():
+            if name in mutated and port == "Q" or name not in mutated and cells[name]["port_directions"][port] == "input" and port != "CLK":
+                new = f"next_{found.start()}_{port}"
+                out += f"  wire width {len(bits)} output {50000 + found.start()} \\{new}\n" \
+                    f"  connect \\{new} {re.search(rf'connect .{port} (.*)', found[0])[1]}\n"
+        return out + (found[0] if name in mutated else "")
 
     text = re.sub(r"(?:  attribute .*\n)*  cell (\S+) (\S+)\n(?:    .*\n)*  end\n", cut, (faults.folder / "unit.il").read_text())
     text = re.sub(r"output \d+ (\\\w+)\n", lambda found: found[0] if found[1].startswith("\\next_") or any(
