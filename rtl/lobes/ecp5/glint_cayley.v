@@ -70,7 +70,7 @@ module glint_cayley #(
     );
 
     // m = n - POWER is -31 .. 1021 for every A: 11 bits with the sign. POWER is 2^LOW, so the lower bits stay. The lobe has m = 0
-    // where it takes a power of C: n <= 6, and n = 8, where it is 0 already.
+    // where it takes a power of C: n <= 6, and n = 8, where it is 0 already. With 0 in place of the distance x is the same.
     localparam         LOW        = SQUARES + 1;
     wire               is_power   = A == 0 && n <= 10'd6;
     wire    [10-LOW:0] high       = {1'b0, n[9:LOW]} - {{(10 - LOW) {1'b0}}, 1'b1};
@@ -81,8 +81,8 @@ module glint_cayley #(
     reg         [F:0] cosine_m_q;
     always @(posedge clk_i) begin
         if (advance) begin
-            m_q        <= is_power ? 11'sd0 : difference;
-            distance_q <= distance;
+            m_q        <= difference;
+            distance_q <= is_power ? {(F + 1) {1'b0}} : distance;
             cosine_m_q <= cosine;
         end
     end
