@@ -193,8 +193,6 @@ std::vector<EffectCase> lobe_select_cases(const EffectModel& model) {
 
 }  // namespace
 
-Effect lobe_select_effect();
-
 Effect lobe_select_effect() {
     return {"lobe_select",
             "the lobe of that number",
