@@ -60,8 +60,8 @@ std::vector<EffectCase> ambient_cases(const EffectModel& model) {
 }  // namespace
 
 Effect ambient_effect() {
-    return {"ambient", "k_a I_a per channel", "B. T. Phong 1975", make_model<Ambient>, emit_ambient, ambient_cases, 0.5,
-            false};
+    return {"ambient", "k_a I_a per channel", "B. T. Phong 1975", make_model<Ambient>, emit_ambient, ambient_cases,
+            0.5};
 }
 
 }  // namespace glint

@@ -125,7 +125,7 @@ std::vector<EffectCase> blinn_phong_vectors_cases(const EffectModel& model) {
 
 Effect blinn_phong_vectors_effect() {
     return {"blinn_phong_vectors",    "c^n of the cosine of two vectors", "Blinn", make_model<BlinnPhongVectors>,
-            emit_blinn_phong_vectors, blinn_phong_vectors_cases,          1.0,     false};
+            emit_blinn_phong_vectors, blinn_phong_vectors_cases,          1.0};
 }
 
 }  // namespace glint

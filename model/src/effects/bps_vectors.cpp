@@ -118,8 +118,7 @@ Effect bps_vectors_effect() {
             make_model<BpsVectors>,
             emit_bps_vectors,
             vectors_cases,
-            1.0,
-            false};
+            1.0};
 }
 
 }  // namespace glint

@@ -215,8 +215,7 @@ Effect cook_torrance_effect() {
             make_model<CookTorrance>,
             emit_cook_torrance,
             cook_torrance_cases,
-            1.4,
-            false};
+            1.4};
 }
 
 }  // namespace glint

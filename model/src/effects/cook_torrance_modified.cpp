@@ -201,8 +201,7 @@ Effect cook_torrance_modified_effect() {
             make_model<CookTorranceModified>,
             emit_cook_torrance_modified,
             cook_torrance_modified_cases,
-            2.5,
-            false};
+            2.5};
 }
 
 }  // namespace glint

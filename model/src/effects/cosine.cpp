@@ -106,8 +106,7 @@ std::vector<EffectCase> cosine_cases(const EffectModel& model) {
 }  // namespace
 
 Effect cosine_effect() {
-    return {"cosine", "a.b / (|a| |b|), of two vectors", "Euclid", make_model<Cosine>, emit_cosine, cosine_cases, 1.0,
-            false};
+    return {"cosine", "a.b / (|a| |b|), of two vectors", "Euclid", make_model<Cosine>, emit_cosine, cosine_cases, 1.0};
 }
 
 }  // namespace glint

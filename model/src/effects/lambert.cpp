@@ -53,8 +53,7 @@ std::vector<EffectCase> lambert_cases(const EffectModel& model) {
 }  // namespace
 
 Effect lambert_effect() {
-    return {"lambert", "max(0, N.L)", "J. H. Lambert 1760", make_model<Lambert>, emit_lambert, lambert_cases,
-            0.5,       false};
+    return {"lambert", "max(0, N.L)", "J. H. Lambert 1760", make_model<Lambert>, emit_lambert, lambert_cases, 0.5};
 }
 
 }  // namespace glint

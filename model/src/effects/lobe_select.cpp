@@ -200,8 +200,7 @@ Effect lobe_select_effect() {
             make_lobe_select,
             emit_lobe_select,
             lobe_select_cases,
-            1.0,
-            false};
+            1.0};
 }
 
 }  // namespace glint

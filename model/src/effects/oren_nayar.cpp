@@ -172,8 +172,7 @@ Effect oren_nayar_effect() {
             make_model<OrenNayar>,
             emit_oren_nayar,
             oren_nayar_cases,
-            0.75,
-            false};
+            0.75};
 }
 
 }  // namespace glint

@@ -88,7 +88,7 @@ std::vector<EffectCase> tint_cases(const EffectModel& model) {
 }  // namespace
 
 Effect tint_effect() {
-    return {"tint", "k s I per channel", "B. T. Phong 1975", make_model<Tint>, emit_tint, tint_cases, 0.5, false};
+    return {"tint", "k s I per channel", "B. T. Phong 1975", make_model<Tint>, emit_tint, tint_cases, 0.5};
 }
 
 }  // namespace glint

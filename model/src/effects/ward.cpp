@@ -221,8 +221,7 @@ Effect ward_effect() {
             make_model<Ward>,
             emit_ward,
             ward_cases,
-            1.3,
-            false};
+            1.3};
 }
 
 }  // namespace glint

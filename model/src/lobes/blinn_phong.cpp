@@ -77,9 +77,9 @@ Lobe blinn_phong_lobe() {
             make_plain<blinn_phong_format>,
             emit_blinn_phong,
             blinn_phong_hard_cases,
+            exp_log::shipped_numbers,
             {},
             false,
-            exp_log::shipped_numbers,
             false,
             true};
 }

@@ -310,9 +310,9 @@ Lobe bps_lobe() {
             make_plain<bps_format>,
             emit_bps,
             bps_hard_cases,
+            bps_numbers,
             {},
-            true,
-            bps_numbers};
+            true};
 }
 
 }  // namespace glint

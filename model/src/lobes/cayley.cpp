@@ -216,9 +216,9 @@ Lobe cayley_lobe() {
             make_plain<cayley_format>,
             emit_cayley,
             cayley_hard_cases,
+            cayley_numbers,
             {},
-            true,
-            cayley_numbers};
+            true};
 }
 
 }  // namespace glint

@@ -171,8 +171,6 @@ Lobe cosine_power_lobe() {
             make_plain<cosine_power_format>,
             emit_cosine_power,
             cosine_power_hard_cases,
-            {},
-            false,
             cosine_power_numbers};
 }
 

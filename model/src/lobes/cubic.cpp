@@ -223,8 +223,6 @@ Lobe cubic_lobe() {
             make_plain<cubic_format>,
             emit_cubic,
             cubic_hard_cases,
-            {},
-            false,
             cubic_numbers};
 }
 

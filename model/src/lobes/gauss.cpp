@@ -110,9 +110,9 @@ Lobe gauss_lobe() {
             make_plain<gauss_format>,
             emit_gauss,
             gauss_hard_cases,
+            exp_log::shipped_numbers,
             {},
             false,
-            exp_log::shipped_numbers,
             false,
             true};
 }

@@ -313,9 +313,9 @@ Lobe polynomial_lobe() {
             make_plain<polynomial_format>,
             emit_polynomial,
             polynomial_hard_cases,
+            polynomial_numbers,
             "VARIABLE:k0:k1:...",
-            true,
-            polynomial_numbers};
+            true};
 }
 
 }  // namespace glint

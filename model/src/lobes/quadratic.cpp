@@ -139,8 +139,6 @@ Lobe quadratic_lobe() {
             make_plain<quadratic_format>,
             emit_quadratic,
             quadratic_hard_cases,
-            {},
-            false,
             quadratic_numbers};
 }
 

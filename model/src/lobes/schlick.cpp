@@ -81,9 +81,9 @@ Lobe schlick_lobe() {
             make_plain<schlick_format>,
             emit_schlick,
             common_hard_cases,
+            schlick_numbers,
             {},
-            true,
-            schlick_numbers};
+            true};
 }
 
 }  // namespace glint

@@ -102,9 +102,9 @@ Lobe spherical_gaussian_lobe() {
             make_plain<spherical_gaussian_format>,
             emit_spherical_gaussian,
             spherical_gaussian_hard_cases,
+            spherical_gaussian_numbers,
             {},
             false,
-            spherical_gaussian_numbers,
             false,
             true};
 }

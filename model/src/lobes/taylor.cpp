@@ -210,8 +210,6 @@ Lobe taylor_lobe() {
             make_plain<taylor_format>,
             emit_taylor,
             taylor_hard_cases,
-            {},
-            false,
             taylor_numbers};
 }
 
