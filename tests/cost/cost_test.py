@@ -6,13 +6,11 @@
 Exit status: 0 if every check held, 77 if the tools here are not those of the committed prices.
 """
 
-import itertools
 import json
 import os
-import re
 import shutil
 
-from case import Case, OPTIONS, ROOT, main
+from case import Case, ROOT, main
 
 SMALL = ["--lobe", "quadratic", "--profile", "p8"]
 RTL = ["--rtl", ROOT / "rtl"]

@@ -8,7 +8,6 @@
 
 import json
 import math
-import os
 import re
 import struct
 import subprocess
