@@ -205,8 +205,8 @@ int run_cost_table(TableOptions options, const std::string& command) {
     std::vector<std::string> marks;
     for (const bool is_beaten : beaten) marks.emplace_back(is_beaten ? "dominated" : "");
     fmt::print("{}", configurations_table(all, marks));
-    fmt::print("error: largest against c^n for {}; clock: median of place and route ({})\n", to_text(scope),
-               data.tools);
+    fmt::print("error: largest against c^n for {}; clock: median of place and route ({}); energy is not measured\n",
+               to_text(scope), data.tools);
     fmt::print("dominated: another one on the same device is no worse in {}, and better in one of them\n",
                options.pareto);
     for (const Price& point : data.fpga) {

@@ -237,7 +237,8 @@ int main(int argc, char** argv) {
     io::add_real(app, "--stall-probability", options.stall_probability, 0.0, 0.99,
                  "Chance of a bubble at the input, and of a stall at the output")
         ->default_str(fmt::format("{}", options.stall_probability));
-    io::add_integer(app, "--seed", options.seed, 0, io::largest_seed, "Seed of all that is random");
+    io::add_integer(app, "--seed", options.seed, 0, io::largest_seed,
+                    "Seed of all that is random; with 0 registers start at 0");
     io::add_integer(app, "--threads", options.threads, 0, io::most_threads, "Threads; 0: one a core");
     app.add_option("--trace", options.trace, "Waveform (FST) around the first mismatch");
     CLI::Option* json = app.add_option("--json", options.json, "Write the results, per n and in total");

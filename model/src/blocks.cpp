@@ -114,7 +114,8 @@ std::span<const Family> families() {
     static const std::array<Family, 3> all{
         {{"ecp5",
           {"glint_multiplier", "glint_divider_restoring", "glint_divider_radix4", "glint_signed_multiplier",
-           "glint_sqrt", "glint_nearest", "glint_parabola", "glint_log2", "glint_exp2"},
+           "glint_sqrt", "glint_nearest", "glint_parabola", "glint_log2", "glint_exp2", "glint_ratio", "glint_fifo",
+           "glint_effect_tint"},
           {{"MULT18X18D", "glint_multiplier_block"}, {"CCU2C", "glint_add_sub"}, {"DP16KD", "glint_table_block"}},
           {"glint_table_block"}},
          {"up5k", {"glint_multiplier", "glint_divider_iterative"}, {{"SB_MAC16", "glint_multiplier_block"}}},
@@ -127,23 +128,26 @@ void use_family(HardwareUnit& unit, std::string_view family) {
     if (of_family == families().end()) return;
     std::vector<HardwareUnit::File> files;
     for (const HardwareUnit::File& file : unit.files) {
+        const std::string folder = file.name.substr(0, file.name.find('/') + 1);
         const auto name =
             std::find_if(of_family->modules.begin(), of_family->modules.end(),
-                         [&](std::string_view module) { return file.name == fmt::format("blocks/{}.v", module); });
+                         [&](std::string_view module) { return file.name == fmt::format("{}{}.v", folder, module); });
         if (name == of_family->modules.end()) {
             add_files(files, {file});
             continue;
         }
-        if (*name == "glint_multiplier" && !of_family->primitives.empty()) {
+        const bool is_tint = *name == "glint_effect_tint";
+        if ((*name == "glint_multiplier" || is_tint) && !of_family->primitives.empty()) {
             add_files(files, files_of("glint_multiplier_sliced"));
             add_files(files, {{fmt::format("blocks/{}/glint_multiplier_block.v", family)}});
         }
+        if (is_tint) add_files(files, {{fmt::format("blocks/{}/glint_multiplier.v", family)}});
         if (name->starts_with("glint_divider_r") && family == "ecp5")
             add_files(files, {{fmt::format("blocks/{}/glint_add_sub.v", family)}});
         if (*name == "glint_sqrt" || *name == "glint_nearest") {
             add_files(files, {{fmt::format("blocks/{}/glint_add_sub_odd.v", family)}});
         }
-        add_files(files, {{fmt::format("blocks/{}/{}.v", family, *name)}});
+        add_files(files, {{fmt::format("{}{}/{}.v", folder, family, *name)}});
     }
     unit.files = std::move(files);
     unit.simulation = {};

@@ -21,7 +21,7 @@ WIRES = "".join(f"module \\{cell} ({', '.join(ports)}); parameter WIDTH = 1; par
                 for cell, ports in (("$dff", ("CLK", "D", "Q")), ("$dffe", ("CLK", "EN", "D", "Q"))))
 
 
-def in_numbers(faults, numbers):
+def in_numbers(faults, numbers, stuck=False):
     """The faults of a unit that touch its numbers alone: number, and how `mutate` applies it. What changes a register's own value in
     a stall is applied to the value that the register takes over: each later reader sees the one or the other."""
     faults.yosys("read_rtlil unit.il\nwrite_json unit.json\n")
@@ -47,7 +47,7 @@ def in_numbers(faults, numbers):
     def applied(fault):
         name, port = (re.search(rf"-{key} (\S+)", fault["apply"])[1] for key in ("cell", "port"))
         cell = cells[name] if name in cells else cells[name.lstrip("\\")]
-        if holds(cell) and port == "S":
+        if holds(cell) and port == "S" and not (stuck and "-mode const0" in fault["apply"]):
             return None
         todo, seen = out(cell), set()
         while todo:

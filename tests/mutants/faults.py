@@ -279,34 +279,6 @@ extern "C" void glint_choose_mutant(int number) {{ chosen_mutant = number; }}
         run(*command, ROOT / "testbench/register_unit.cpp", tools["verilated"], "-o", library)
         return library
 
-    def equivalent(self, fault):
-        """True where the solver shows that a fault changes no output and no next value of a register, whatever the inputs
-        and the registers hold. Memories are cut: their addresses count as outputs, what they answer as inputs."""
-        if "apply" not in fault:
-            return False
-        (self.folder / "equivalent.ys").write_text(f"""read_rtlil unit.il
-rename {self.module} gold
-select -set into t:$mem* %ci1:+[ADDR,EN,RD_ADDR,RD_EN,WR_ADDR,WR_DATA,WR_EN,DATA] t:$mem* %d
-expose @into
-delete t:$mem* t:glint_mutant
-delete m:*
-setundef -undriven -expose gold
-expose -evert-dff gold
-copy gold gate
-mutate -module gate {fault['apply']}
-miter -equiv -flatten gold gate miter
-hierarchy -top miter
-opt_expr
-opt_merge
-opt_clean
-opt -full
-sat -verify -prove trigger 0 -timeout 20 miter
-""")
-        done = subprocess.run(["yosys", "-q", "equivalent.ys"], cwd=self.folder, capture_output=True, text=True)
-        if done.returncode != 0 and "proof did fail" not in done.stderr and "time" not in done.stderr:
-            raise Failed(f"{self.name}: {fault['mutation']}: {done.stderr[-500:]}")
-        return done.returncode == 0
-
     def pins(self):
         """What register_unit.cpp is told of the unit's ports, as by glint_unit in cmake/GlintUnits.cmake."""
         pins = {"input": "", "output": ""}

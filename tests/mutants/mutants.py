@@ -23,10 +23,11 @@ from collections import Counter
 from pathlib import Path
 
 import exhaust
+import unroll
 from faults import HERE, RTL, Failed, Faults, Manifest, digest, plan
 
 RECORD = HERE / "faults.jsonl"
-STEPS = ["short", "middle", "solver", "exhaust", "long", "all"]
+STEPS = ["short", "middle", "solver", "exhaust", "unroll", "long", "all"]
 
 
 def read_record(file):
@@ -76,7 +77,8 @@ def try_left(faults, shares, record, step):
     name = faults.name
     left = [line for line in record if line["unit"] == name and line["kind"] != "parameter" and is_open(line)
             and STEPS.index(line.get("tried", "short")) < STEPS.index(step)]
-    if not left or step == "all" and faults.unit["effect"] or step == "exhaust" and not exhaust.possible(faults):
+    fits = {"all": not faults.unit["effect"], "exhaust": exhaust.possible(faults), "unroll": unroll.possible(faults)}
+    if not left or not fits.get(step, True):
         return record
     listed = {f["number"]: f for f in faults.list(shares)}
     for line in left:
@@ -84,20 +86,21 @@ def try_left(faults, shares, record, step):
         if (fault["file"], fault["mutation"]) != (line["file"], line["mutation"]):
             raise Failed(f"{name}: fault {line['number']} is not that of the record; take the unit out of the record")
         line["tried"] = step
+    numbers = [line["number"] for line in left]
     if step == "solver":
+        same = unroll.equivalent(faults, numbers)
         for line in left:
-            if faults.equivalent(listed[line["number"]]):
+            if line["number"] in same:
                 line["equivalent"] = step
-    elif step == "exhaust":
-        found = exhaust.exhaust(faults, [line["number"] for line in left])
+    elif step in ("exhaust", "unroll"):
+        found = (exhaust.exhaust if step == "exhaust" else unroll.unroll)(faults, numbers)
         for line in left:
-            told = found.get(line["number"], "")  # "" where it touches more than numbers
+            told = found.get(line["number"], "")  # "" where it touches more than numbers, or nobody knows
             if told == "none":
-                line["equivalent"] = "every code of every port"
+                line["equivalent"] = "every code of every port" + (", clock by clock" if step == "unroll" else "")
             elif told:
                 line["killed_by"] = "exhaustive" if exhaust.legal(faults, told) else "illegal_stalls"
     else:
-        numbers = [line["number"] for line in left]
         judged = faults.judge(faults.library(set(numbers)), numbers, step)
         for line in left:
             line["killed_by"] = judged[line["number"]]["killed_by"]

@@ -43,21 +43,23 @@ struct Step {
     std::uint64_t count;
     double stalls;
     std::uint64_t parts = 1;  ///< only the first of so many
+    std::uint64_t seed = 1;   ///< with 0 registers start at 0
 };
 
 // The cheapest first. A long list is for what the short one does not find.
 constexpr std::array lobe_short{
     Step{"reset 4", Test::reset, 4, 0.0},         Step{"stalls 4096", Test::stream, 4096, 0.3},
     Step{"stream 4096", Test::stream, 4096, 0.0}, Step{"heavy_stalls 4096", Test::stream, 4096, 0.9},
-    Step{"reset 100", Test::reset, 100, 0.0},
+    Step{"reset 100", Test::reset, 100, 0.0},     Step{"reset from 0", Test::reset, 4, 0.0, 1, 0},
 };
 constexpr std::array lobe_middle{
     Step{"illegal_stalls 1/15", Test::illegal, 0, 0.3, 15},
     Step{"stalls 100000", Test::stream, 100'000, 0.3},
 };
 constexpr std::array lobe_long{
-    Step{"illegal_stalls", Test::illegal, 0, 0.3},
-    Step{"stalls 300000", Test::stream, 300'000, 0.3},
+    Step{"reset seed 2", Test::reset, 4, 0.0, 1, 2},      Step{"reset seed 3", Test::reset, 4, 0.0, 1, 3},
+    Step{"reset seed 4", Test::reset, 4, 0.0, 1, 4},      Step{"reset seed 5", Test::reset, 4, 0.0, 1, 5},
+    Step{"illegal_stalls", Test::illegal, 0, 0.3},        Step{"stalls 300000", Test::stream, 300'000, 0.3},
     Step{"stream 2000000", Test::stream, 2'000'000, 0.0},
 };
 constexpr std::array lobe_all{Step{"exhaustive", Test::stream, 0, 0.0}};
@@ -65,16 +67,17 @@ constexpr std::array effect_short{
     Step{"reset 8", Test::reset, 8, 0.0},
     Step{"reset 100", Test::reset, 100, 0.0},
     Step{"reset stalls 100", Test::reset, 100, 0.3},
+    Step{"reset from 0", Test::reset, 8, 0.0, 1, 0},
 };
 constexpr std::array effect_middle{
     Step{"illegal_stalls 1/15", Test::illegal, 0, 0.3, 15},
     Step{"stalls 1/5", Test::stream, 20'000, 0.3, 5},
 };
 constexpr std::array effect_long{
-    Step{"reset heavy_stalls 100", Test::reset, 100, 0.9},
-    Step{"illegal_stalls", Test::illegal, 0, 0.3},
-    Step{"stalls 20000", Test::stream, 20'000, 0.3},
-    Step{"stream 2000000", Test::stream, 2'000'000, 0.0},
+    Step{"reset seed 2", Test::reset, 4, 0.0, 1, 2},       Step{"reset seed 3", Test::reset, 4, 0.0, 1, 3},
+    Step{"reset seed 4", Test::reset, 4, 0.0, 1, 4},       Step{"reset seed 5", Test::reset, 4, 0.0, 1, 5},
+    Step{"reset heavy_stalls 100", Test::reset, 100, 0.9}, Step{"illegal_stalls", Test::illegal, 0, 0.3},
+    Step{"stalls 20000", Test::stream, 20'000, 0.3},       Step{"stream 2000000", Test::stream, 2'000'000, 0.0},
 };
 
 std::span<const Step> steps(bool lobe, const std::string& which) {
@@ -99,6 +102,7 @@ std::string complaint(const Options& options, const UnitKind& kind, const Step& 
     request.count = step.count;
     request.stall_probability = step.stalls;
     request.threads = 1;
+    request.seed = step.seed;
     request.to_first_mismatch = true;
     if (options.effect.empty()) {
         const auto model = find_lobe(options.lobe).golden(parse_profile(options.profile));

@@ -4,10 +4,11 @@
     python_test.py --glint build/glint --folder SCRATCH
 
 Runs the lines of docs/python.md, the example, the module against `glint`, its types by mypy, its speed beside the C++ batch.
-Exit status: 0 if all held, 77 where the package registry is not reached, 1 otherwise.
+Exit status: 0 if all held, 77 where pip or the package registry is missing, 1 otherwise.
 """
 
 import argparse
+import importlib.util
 import os
 import re
 import shutil
@@ -38,6 +39,9 @@ def main():
     folder = options.folder.resolve()
     shutil.rmtree(folder, ignore_errors=True)
     folder.mkdir(parents=True)
+    if importlib.util.find_spec("pip") is None:
+        print("skipped: Python has no pip (install the package `python3-pip`)")
+        return 77
     probe = [sys.executable, "-m", "pip", "download", "-q", "--no-deps", "-d", folder / "probe", "nanobind==2.4.0"]
     if subprocess.run(probe, capture_output=True, timeout=300, check=False).returncode != 0:
         print("skipped: the package registry is not reached")
