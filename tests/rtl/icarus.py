@@ -79,6 +79,14 @@ def planted(folder, file, pattern, replacement):
     return folder
 
 
+def with_bug(folder, files, module, pattern, replacement):
+    """The same files, but a changed copy of that of a module."""
+    [at] = [index for index, file in enumerate(files) if file.stem == module]
+    copy = Path(folder) / files[at].name
+    copy.write_text(altered(files[at], pattern, replacement))
+    return [*files[:at], copy, *files[at + 1:]]
+
+
 def altered(file, pattern, replacement):
     """The text of a file with the one match of a pattern replaced."""
     text, found = re.subn(pattern, replacement, file.read_text())

@@ -223,11 +223,9 @@ def check_family(unit, folder):
             icarus.build(Path(folder) / "bench", bench, files, parameters)
             icarus.require(icarus.run(Path(folder) / "bench"), UNITS[unit][2], expected)
             total += expected
-        at = next(index for index, file in enumerate(files) if file.stem == module)
         for pattern, replacement in bugs:
-            planted = Path(folder) / files[at].name
-            planted.write_text(icarus.altered(files[at], pattern, replacement))
-            icarus.build(Path(folder) / "bench", bench, [*files[:at], planted, *files[at + 1:]], runs[hunted][0])
+            planted = icarus.with_bug(folder, files, module, pattern, replacement)
+            icarus.build(Path(folder) / "bench", bench, planted, runs[hunted][0])
             if icarus.counts(icarus.run(Path(folder) / "bench"), UNITS[unit][2])[1] == 0:
                 raise icarus.Failed(f"not found: '{replacement}' for '{pattern}' in {module} of {family}")
         print(f"{module} of {family}: {total} {UNITS[unit][2]}, 0 mismatches; {len(bugs)} planted bugs found")
