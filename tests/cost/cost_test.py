@@ -6,16 +6,11 @@
 Exit status: 0 if every check held, 77 if the tools here are not those of the committed prices.
 """
 
-import argparse
-import itertools
 import json
 import os
-import re
 import shutil
-import sys
-import unittest
 
-from case import Case, OPTIONS, ROOT
+from case import Case, ROOT, main
 
 SMALL = ["--lobe", "quadratic", "--profile", "p8"]
 RTL = ["--rtl", ROOT / "rtl"]
@@ -375,20 +370,5 @@ class Devices(CommittedFiles):
             self.again(*self.read_committed(file, names), names, unit, "xc7")
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--glint", type=os.path.abspath, required=True)
-    parser.add_argument("tests", nargs="*", help="classes, or Class.test_name; none: all")
-    parser.parse_args(namespace=OPTIONS)
-    loader = unittest.TestLoader()
-    here = sys.modules[__name__]
-    suite = loader.loadTestsFromNames(OPTIONS.tests, here) if OPTIONS.tests else loader.loadTestsFromModule(here)
-    result = unittest.TextTestRunner(stream=sys.stdout).run(suite)
-    print(f"{Case.count} checks in {result.testsRun} tests, {len(result.failures) + len(result.errors)} tests failed")
-    if not result.wasSuccessful() or Case.count == 0:
-        return 1
-    return 77 if result.skipped else 0
-
-
 if __name__ == "__main__":
-    sys.exit(main())
+    main()
