@@ -23,6 +23,8 @@ FORMS = (
     ("blinn_phong", "p12", "pipelined:ecp5"),
     ("blinn_phong", "p12", "pipelined:m3:ecp5"),
     ("bps", "p12", "radix4:ecp5"),
+    ("cayley", "p12", "restoring:m3:ecp5"),
+    ("cayley", "p8", "reciprocal:ecp5"),
 )
 
 
