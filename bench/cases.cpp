@@ -95,8 +95,7 @@ struct FixedInputs {
     }
 
     /// Each cosine waits for the result before: `zero` is 0, which the compiler does not know.
-    template <class Evaluate>
-    void chain(std::uint32_t zero, const Evaluate& evaluate) const {
+    void chain(std::uint32_t zero, const auto& evaluate) const {
         std::uint32_t y = 0;
         for (std::size_t i = 0; i < n.size(); ++i) {
             y = evaluate(n[i], cos_code[i] + static_cast<std::int32_t>(y & zero));

@@ -117,7 +117,7 @@ void add_cost(CLI::App& app, Chosen& chosen) {
     auto o = std::make_shared<CostOptions>();
     CLI::App* command = app.add_subcommand("cost", "What accuracy costs: errors beside cells, clocks and latency");
     command->add_flag("--fpga", o->fpga, "Price units instead: synthesize, place and route (docs/cost.md)");
-    command->add_flag("--check", o->check, "Instead, which prices are missing or of other Verilog (of --json)");
+    command->add_flag("--check", o->check, "List prices that are missing or of other Verilog (--json) instead");
     command->add_flag("--accuracy", o->accuracy, "Measure errors over all inputs instead");
     command->add_flag("--grid", o->grid, "Find the shortest word lengths that will do instead");
     o->units = {
@@ -125,7 +125,8 @@ void add_cost(CLI::App& app, Chosen& chosen) {
         command->add_option("--effect", o->effect, "Effects instead of lobes, or all (made of --lobe; default bps)"),
         command->add_option("--mask", o->mask, "Of shade and pixel: values of MASK; default: a list (docs/cost.md)"),
         command->add_option("--profile", o->profile, "Profiles: p8, p12, p16 or the lobe's F,..,O"),
-        command->add_option("--device", o->device, "hx8k (default), up5k, ecp5-25k, ecp5-85k, xc7; table: all"),
+        command->add_option("--device", o->device,
+                            "hx8k (default), up5k, ecp5-25k, ecp5-85k, lifcl-40, gw2a-18, xc7; table: all"),
     };
     command->add_option("--json", o->json, "Write the table as JSON; merge what is measured into this file");
     TableOptions& table = o->table;
@@ -133,7 +134,7 @@ void add_cost(CLI::App& app, Chosen& chosen) {
         command->add_option("--n", table.n, "Exponents of the errors: first:last or all")->capture_default_str(),
         command->add_option("--cosine", table.cosine, "Their cosine: rounded or exact")->capture_default_str(),
         command->add_option("--sort", table.sort, "Metric: error, luts, latency, ns, ...")->capture_default_str(),
-        command->add_option("--pareto", table.pareto, "What decides who is dominated")->capture_default_str(),
+        command->add_option("--pareto", table.pareto, "Axes on which a row is dominated or not")->capture_default_str(),
         command->add_flag("--hls", table.hls, "Also the HLS kernels, as Bambu made them (hls/README.md)"),
         command->add_option("--csv", table.csv, "Write the table as CSV"),
         command->add_option("--plots", table.plots, "Write its plots to this folder"),

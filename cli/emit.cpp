@@ -164,13 +164,14 @@ void add_emit(CLI::App& app, Chosen& chosen) {
     command->add_option("--sidebands", options->sidebands,
                         "More ports of the AXI4-Stream unit: keep, id, dest (docs/rtl.md)");
     io::add_integer(*command, "--lanes", options->lanes, 2, 64,
-                    "So many AXI4-Stream units side by side, too: 2 to 64 (docs/rtl.md)")
+                    "Also so many AXI4-Stream units side by side: 2 to 64 (docs/rtl.md)")
         ->default_str("");
     command->add_option("--target", options->target, "verilog, hls, proof or all")->capture_default_str();
     command->add_option("-o,--output", options->folder, "Folder")->capture_default_str();
-    command->add_flag("--committed", options->committed, "Instead all that is generated in rtl/ (-o rtl): docs/rtl.md");
+    command->add_flag("--committed", options->committed,
+                      "Write all generated files of rtl/ instead (-o rtl): docs/rtl.md");
     command->add_flag("--packages", options->packages,
-                      "Instead FuseSoC cores and VHDL packages of rtl/ (docs/tools.md)");
+                      "Write FuseSoC cores and VHDL packages of rtl/ instead (docs/tools.md)");
     command->footer("Example: glint emit --lobe bps --profile 18,14,14,12 -o out");
     command->callback([=, &chosen] { chosen.run = [=] { return run_emit(*options); }; });
 }

@@ -128,7 +128,7 @@ void add_sweep(CLI::App& app, Chosen& chosen) {
     io::add_integer(*command, "--threads", options->threads, 0, io::most_threads, "Threads; 0: one a core");
     CLI::Option* shard = options->shard.add(*command, json);
     io::add_integer(*command, "--plan", options->plan, 1, 1'000'000,
-                    "Measure for seconds what it would take on INT cores")
+                    "Measure for two seconds; print what INT cores would take")
         ->excludes(json)
         ->excludes(csv)
         ->excludes(shard)

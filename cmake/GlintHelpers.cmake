@@ -25,6 +25,13 @@ function(glint_words target)
   endif()
 endfunction()
 
+# glint_script_test(name label timeout script argument...): a Python program beside the CMakeLists.txt; 77 skips it.
+function(glint_script_test name label timeout script)
+  add_test(NAME ${name} COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/${script} ${ARGN})
+  set_tests_properties(${name} PROPERTIES LABELS "${label}" TIMEOUT ${timeout} SKIP_RETURN_CODE 77
+    ENVIRONMENT PYTHONDONTWRITEBYTECODE=1)
+endfunction()
+
 # glint_kernels(out): the HLS kernels of this build, `<lobe>` and `effect_<effect>`: those whose top functions are emitted.
 function(glint_kernels out)
   file(GLOB emitted RELATIVE ${PROJECT_SOURCE_DIR}/hls/generated CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/hls/generated/*_p12.cpp)

@@ -11,19 +11,32 @@
 namespace glint::cost {
 namespace {
 
+using Value = std::optional<double>;
+using C = const Configuration&;
+
+/// The time of so many clocks.
+Value in_ns(C c, int clocks) {
+    const Value mhz = c.run_mhz();
+    return mhz ? Value(1e3 * clocks / *mhz) : std::nullopt;
+}
+
 constexpr std::array<MetricInfo, 12> table{{
-    {Metric::error, "error", "", false},
-    {Metric::rounding, "rounding", "ulp", false},
-    {Metric::output_bits, "output-bits", "bits", true},
-    {Metric::luts, "luts", "LUTs", false},
-    {Metric::registers, "registers", "registers", false},
-    {Metric::dsps, "dsps", "DSPs", false},
-    {Metric::brams, "brams", "BRAMs", false},
-    {Metric::clock, "clock", "MHz", true},
-    {Metric::latency, "latency", "ns", false},
-    {Metric::latency_clocks, "latency-clocks", "clocks", false},
-    {Metric::ns, "ns", "ns", false},
-    {Metric::throughput, "throughput", "results/s", true},
+    {Metric::error, "error", "", false, true, [](C c) -> Value { return c.error; }},
+    {Metric::rounding, "rounding", "ulp", false, true, [](C c) -> Value { return c.rounding; }},
+    {Metric::output_bits, "output-bits", "bits", true, false, [](C c) -> Value { return c.output_bits; }},
+    {Metric::luts, "luts", "LUTs", false, false, [](C c) -> Value { return c.luts; }},
+    {Metric::registers, "registers", "registers", false, false, [](C c) -> Value { return c.registers; }},
+    {Metric::dsps, "dsps", "DSPs", false, false, [](C c) -> Value { return c.dsps; }},
+    {Metric::brams, "brams", "BRAMs", false, false, [](C c) -> Value { return c.brams; }},
+    {Metric::clock, "clock", "MHz", true, true, [](C c) { return c.clock_mhz; }},
+    {Metric::latency, "latency", "ns", false, true, [](C c) { return in_ns(c, c.latency); }},
+    {Metric::latency_clocks, "latency-clocks", "clocks", false, false, [](C c) -> Value { return c.latency; }},
+    {Metric::ns, "ns", "ns", false, true, [](C c) { return in_ns(c, c.interval); }},
+    {Metric::throughput, "throughput", "results/s", true, true,
+     [](C c) {
+         const Value mhz = c.run_mhz();
+         return mhz ? Value(1e6 * *mhz / c.interval) : std::nullopt;
+     }},
 }};
 
 bool dominates(const Configuration& a, const Configuration& b, std::span<const Metric> axes) {
@@ -59,36 +72,7 @@ const MetricInfo& find_metric(std::string_view name) {
     throw Error(fmt::format("metric '{}' is not known: {}", name, known));
 }
 
-std::optional<double> value(const Configuration& c, Metric metric) {
-    const std::optional<double> mhz = c.run_mhz();
-    switch (metric) {
-        case Metric::error:
-            return c.error;
-        case Metric::rounding:
-            return c.rounding;
-        case Metric::output_bits:
-            return c.output_bits;
-        case Metric::luts:
-            return c.luts;
-        case Metric::registers:
-            return c.registers;
-        case Metric::dsps:
-            return c.dsps;
-        case Metric::brams:
-            return c.brams;
-        case Metric::clock:
-            return c.clock_mhz;
-        case Metric::latency:
-            return mhz ? std::optional(1e3 * c.latency / *mhz) : std::nullopt;
-        case Metric::latency_clocks:
-            return c.latency;
-        case Metric::ns:
-            return mhz ? std::optional(1e3 * c.interval / *mhz) : std::nullopt;
-        case Metric::throughput:
-            return mhz ? std::optional(1e6 * *mhz / c.interval) : std::nullopt;
-    }
-    return std::nullopt;
-}
+std::optional<double> value(const Configuration& c, Metric metric) { return info(metric).value(c); }
 
 bool better(Metric metric, const Configuration& a, const Configuration& b) {
     const std::optional<double> x = value(a, metric);

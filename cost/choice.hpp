@@ -48,6 +48,8 @@ struct MetricInfo {
     std::string_view name;  ///< as on the command line
     std::string_view unit;  ///< as after a number; may be empty
     bool more_is_better;
+    bool is_real;  ///< no count
+    std::optional<double> (*value)(const Configuration&);
 };
 
 std::span<const MetricInfo> metrics();

@@ -65,10 +65,12 @@ void read_fpga_file(const std::string& path, Prices& data) {
     const io::JsonNode top(json, name);
     check_format(top, "glint-cost-fpga-1");
     const io::JsonNode tools = top.node("tools");
+    std::string tools_here;
     for (const auto& [tool, version] : json["tools"].items()) {
         const std::string text = tools.text(tool.c_str());  // "0.23 (git sha1 7ce5011c24b)"
-        data.tools += fmt::format("{}{} {}", data.tools.empty() ? "" : ", ", tool, text.substr(0, text.find(" (")));
+        tools_here += fmt::format("{}{} {}", tools_here.empty() ? "" : ", ", tool, text.substr(0, text.find(" (")));
     }
+    data.tools += fmt::format("{}{}", data.tools.empty() ? "" : "; ", tools_here);
     for (const io::JsonNode& node : top.nodes("points")) data.fpga.push_back(read_fpga_point(node));
     if (data.fpga.empty()) throw Error(name + " holds no points");
 }
@@ -123,6 +125,7 @@ Prices read_cost_data(const std::string& folder) {
     Prices out;
     out.accuracy = read_accuracy_file(path("accuracy.json"));
     read_fpga_file(path("fpga.json"), out);
+    if (std::filesystem::is_regular_file(path("fpga-yowasp.json"))) read_fpga_file(path("fpga-yowasp.json"), out);
     if (std::filesystem::is_regular_file(path("cpu.json"))) out.cpu = read_cpu_prices(path("cpu.json"));
     if (std::filesystem::is_regular_file(path("hls.json"))) read_hls_file(path("hls.json"), out);
     return out;

@@ -14,7 +14,7 @@ namespace glint::cost {
 /// No price of a file is larger: LUTs, registers, clocks.
 inline constexpr int largest_count = 100'000'000;
 
-/// A price of cost/data/fpga.json: `configuration` without its error.
+/// A price of cost/data/fpga.json or fpga-yowasp.json: `configuration` without its error.
 struct Price {
     Configuration configuration;
     bool fits = true;  ///< false: too large for its device; then it has no clock, and perhaps no more than its name
@@ -27,12 +27,12 @@ struct Prices {
     std::vector<Price> fpga;
     std::optional<CpuPrices> cpu;
     std::vector<Price> hls;  ///< of hls.json: architecture "hls", or "hls:FORM" by the form of its divider
-    std::string tools;       ///< "yosys 0.23, nextpnr-ice40 0.4"
+    std::string tools;       ///< of each file: "yosys 0.23, nextpnr-ice40 0.4; yosys 0.70"
 
     const AccuracyRecord* find(const std::string& lobe, const std::string& profile) const;
 };
 
-/// accuracy.json and fpga.json of a folder, and cpu.json and hls.json where they are there. Throws Error: what is
+/// accuracy.json and fpga.json of a folder, and fpga-yowasp.json, cpu.json and hls.json where they are there. Throws Error: what is
 /// missing or not legal in which file, and what writes it.
 Prices read_cost_data(const std::string& folder);
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <set>
-#include <sstream>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -37,18 +36,12 @@ constexpr Column columns[] = {
     {"results_per_second", "results/s", Metric::throughput},
 };
 
-/// The others are counts.
-bool is_real(Metric metric) {
-    return metric == Metric::error || metric == Metric::rounding || metric == Metric::clock ||
-           metric == Metric::latency || metric == Metric::ns || metric == Metric::throughput;
-}
-
 std::string shown(const Configuration& c, Metric metric) {
     const std::optional<double> x = value(c, metric);
     if (!x) return "-";
     if (metric == Metric::rounding) return c.output_bits == 0 ? "-" : fmt::format("{:.4f}", *x);
     if (metric == Metric::throughput) return short_number(*x / 1e6) + " M";
-    return is_real(metric) ? short_number(*x) : fmt::format("{:.0f}", *x);
+    return info(metric).is_real ? short_number(*x) : fmt::format("{:.0f}", *x);
 }
 
 /// The error of the same integers, or none: that of floating point numbers is not measured here.
@@ -100,12 +93,7 @@ void keep_only(std::vector<Configuration>& all, const TableOptions& options) {
             return std::find(wanted.begin(), wanted.end(), c.*field) == wanted.end();
         });
     };
-    if (!options.lobe.empty() && options.lobe != "all") {
-        std::vector<std::string> names;
-        std::istringstream list(options.lobe);
-        for (std::string name; std::getline(list, name, ',');) names.push_back(name);
-        drop(names, &Configuration::lobe);
-    }
+    if (!options.lobe.empty() && options.lobe != "all") drop(io::split_list(options.lobe), &Configuration::lobe);
     if (!options.profile.empty()) drop(io::split_profiles(options.profile), &Configuration::profile);
     if (all.empty()) {
         throw Error(fmt::format("no price on {} is of --lobe '{}' --profile '{}': {} holds those there are",
@@ -120,7 +108,7 @@ Json configuration_json(const Configuration& c) {
              {"device", c.device}, {"dsp", c.dsp},         {"output_bits", c.output_bits}};
     for (const Column& column : columns) {
         const std::optional<double> x = value(c, column.metric);
-        const bool count = !is_real(column.metric);
+        const bool count = !info(column.metric).is_real;
         out[std::string(column.name)] = !x ? Json(nullptr) : count ? Json(static_cast<int>(*x)) : Json(*x);
     }
     return out;
@@ -157,11 +145,7 @@ std::string name_of(const Configuration& c) { return fmt::format("{} {} {}", c.l
 
 std::vector<Metric> parse_axes(const std::string& text) {
     std::vector<Metric> out;
-    for (std::size_t begin = 0; begin <= text.size();) {
-        const std::size_t end = std::min(text.find(',', begin), text.size());
-        out.push_back(find_metric(text.substr(begin, end - begin)).metric);
-        begin = end + 1;
-    }
+    for (const std::string& name : io::split_list(text)) out.push_back(find_metric(name).metric);
     return out;
 }
 
@@ -221,8 +205,8 @@ int run_cost_table(TableOptions options, const std::string& command) {
     std::vector<std::string> marks;
     for (const bool is_beaten : beaten) marks.emplace_back(is_beaten ? "dominated" : "");
     fmt::print("{}", configurations_table(all, marks));
-    fmt::print("error: largest against c^n for {}; clock: median of place and route ({})\n", to_text(scope),
-               data.tools);
+    fmt::print("error: largest against c^n for {}; clock: median of place and route ({}); energy is not measured\n",
+               to_text(scope), data.tools);
     fmt::print("dominated: another one on the same device is no worse in {}, and better in one of them\n",
                options.pareto);
     for (const Price& point : data.fpga) {

@@ -13,7 +13,7 @@ CLI::Option* ShardOptions::add(CLI::App& app, CLI::Option* json) {
                                 "Part i of N of the run, for glint merge")
                              ->option_text("i/N")
                              ->needs(json);
-    app.add_flag("--resume", resume_, "Nothing to do where the file of --json holds this shard")
+    app.add_flag("--resume", resume_, "Skip the run where the file of --json holds this shard")
         ->needs(shard)
         ->option_text(" ");
     return shard;

@@ -76,10 +76,18 @@
 
   // Which unit to take: one state of the filters for the plot and the table.
   if (byId("pareto")) {
-    const units = data.units;
+    const units = data.units.rows.map((row, id) => ({ id, ...Object.fromEntries(row.map((x, i) => [data.units.keys[i], x])) }));
+    const short = (x) => String(Number(x.toPrecision(3)));
+    for (const unit of units) {
+      const clock = unit.clock_mhz && ` = ${short(unit.latency_ns)} ns at ${short(unit.clock_mhz)} MHz, ` +
+        `${short(unit.ns_per_result)} ns a result`;
+      unit.text = `<b>${unit.lobe} ${unit.profile} ${unit.architecture}</b> on ${unit.device}, ` +
+        `${unit.dsp ? "DSPs allowed" : "without DSPs"}<br>error ${short(unit.error)}<br>${unit.luts} LUTs, ` +
+        `${unit.registers} registers, ${unit.dsps} DSPs, ${unit.brams} BRAMs<br>latency ${unit.latency_clocks} clocks${clock || ""}`;
+    }
     const rows = [...byId("units").tBodies[0].rows];
     const rowOf = new Map(rows.map((row) => [Number(row.dataset.unit), row]));
-    const axes = { luts: "LUTs", latency_ns: "latency, ns", ns_per_result: "ns a result" };
+    const axes = { luts: "LUTs", latency_ns: "latency, ns", latency_clocks: "latency, clocks", ns_per_result: "ns a result" };
     const filter = (id) => byId(`filter-${id}`).value;
 
     const shown = () => units.filter((unit) =>

@@ -101,29 +101,25 @@ def thinned(rows):
                for name, kind, value in keys}}
 
 
-def unit_text(unit):
-    """What a hover over a unit says, in HTML as Plotly takes it; names are letters, digits and '_.,:+-'."""
-    def price(key, name):
-        return f"{unit[key]} {name}"
-    clock = (f"{unit['clock_mhz']:.1f} MHz, latency {unit['latency_clocks']} clocks = {unit['latency_ns']:.3g} ns, "
-             f"{unit['ns_per_result']:.3g} ns a result") if unit["clock_mhz"] else f"latency {unit['latency_clocks']} clocks"
-    return (f"<b>{unit['lobe']} {unit['profile']} {unit['architecture']}</b> on {unit['device']}, "
-            f"{'DSPs allowed' if unit['dsp'] else 'without DSPs'}<br>error {short(unit['error'])}<br>"
-            f"{', '.join(price(key, name) for key, name in (('luts', 'LUTs'), ('registers', 'registers'), ('dsps', 'DSPs'), ('brams', 'BRAMs')))}<br>"
-            f"{clock}")
+UNIT_KEYS = ("lobe", "profile", "architecture", "device", "dsp", "error", "luts", "registers", "dsps", "brams", "clock_mhz",
+             "latency_clocks", "latency_ns", "ns_per_result", "dominated", "emit")
+
+
+def unit_row(unit):
+    """A unit's values in the order of UNIT_KEYS: names once, and no more digits than a plot can show."""
+    return [float(f"{value:.5g}") if isinstance(value, float) else value for value in map(unit.get, UNIT_KEYS)]
 
 
 def page_data(report, runs):
     """What page.js reads."""
     cost = report["cost"] or {"configurations": [], "cpu": []}
-    keys = ("lobe", "profile", "device", "dsps", "error", "luts", "latency_ns", "ns_per_result", "dominated", "emit")
     schlick = report["study"]["schlick"]["largest"]
     return {
-        "units": [{"id": i, "text": unit_text(unit), **{key: unit[key] for key in keys}} for i, unit in enumerate(cost["configurations"])],
+        "units": {"keys": UNIT_KEYS, "rows": [unit_row(unit) for unit in cost["configurations"]]},
         "software": [{"ns": point["ns_per_result"], "error": point["error"], "text": f"{point['lobe']} {point['profile']} on a CPU, "
                       f"{point['form']}: {short(point['ns_per_result'])} ns a result"} for point in cost["cpu"] if point["error"]],
         "runs": [{"name": run["name"], "lobe": run["lobe"], **thinned(run["rows"])} for run in runs if run["rows"]],
-        "schlick": {"n": list(range(2, len(schlick) + 1)), "error": schlick[1:]},  # exact at n = 1
+        "schlick": {"n": list(range(2, len(schlick) + 1)), "error": [float(f"{x:.5g}") for x in schlick[1:]]},  # exact at n = 1
     }
 
 

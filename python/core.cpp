@@ -213,8 +213,7 @@ private:
     std::unique_ptr<EffectModel> model_;
 };
 
-template <class List>
-std::vector<std::string> names(const List& list) {
+std::vector<std::string> names(const auto& list) {
     std::vector<std::string> out;
     for (const auto& each : list) out.emplace_back(each.name);
     return out;

@@ -372,7 +372,8 @@ int run_render(const RenderOptions& options, const std::string& command) {
 
 void add_render(CLI::App& app, Chosen& chosen) {
     auto options = std::make_shared<RenderOptions>();
-    CLI::App* command = app.add_subcommand("render", "A picture of a scene through the effects it calls for");
+    CLI::App* command =
+        app.add_subcommand("render", "A picture of a scene, by the effects that its materials call for");
     command->add_option("scene", options->scene, "A scene NAME.json or a model NAME.obj")->required();
     command->add_option("-o,--output", options->output, "The picture, NAME.png")->required();
     command->add_option("--engine", options->engine, "float: real functions; fixed: golden models; rtl: the Verilog")

@@ -34,8 +34,7 @@ struct Counted {
 };
 
 /// What is done to counted numbers while `evaluate()` runs.
-template <class Evaluate>
-Operations count(Evaluate evaluate) {
+Operations count(auto evaluate) {
     tally = {};
     evaluate();
     return tally;

@@ -8,8 +8,7 @@
 namespace glint::studies {
 namespace {
 
-template <class Column>
-Summary summary(const std::vector<StudyRow>& rows, int first, int last, Column column) {
+Summary summary(const std::vector<StudyRow>& rows, int first, int last, auto column) {
     Summary out;
     std::vector<double> values;
     for (const StudyRow& row : rows) {

@@ -29,8 +29,7 @@ void random_row(const EffectModel& model, Random& random, Stimulus& stimulus, st
 }
 
 /// `inputs` in bursts of which row(k, random, stimulus, i) makes the i-th of a burst, the k-th of all.
-template <class Row>
-Bursts bursts_of(std::uint64_t inputs, std::size_t ports, Row row) {
+Bursts bursts_of(std::uint64_t inputs, std::size_t ports, auto row) {
     return {(inputs + burst_length - 1) / burst_length, [=](std::uint64_t burst, Random& random, Stimulus& stimulus) {
                 const std::uint64_t first = burst * burst_length;
                 const auto count = static_cast<std::size_t>(std::min(burst_length, inputs - first));

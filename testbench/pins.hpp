@@ -17,38 +17,14 @@ struct StreamPins {
     static constexpr int reset_latency = 0;  ///< clocks until valid and ready have fallen
     static constexpr std::uint32_t tag(std::uint32_t tag) { return tag & 0x7fff'ffffU; }
 
-    template <class Model>
-    static void clock(Model& m, bool level) {
-        m.clk_i = level;
-    }
-    template <class Model>
-    static void reset(Model& m, bool active) {
-        m.rst_ni = !active;
-    }
-    template <class Model>
-    static void input_valid(Model& m, bool valid) {
-        m.valid_i = valid;
-    }
-    template <class Model>
-    static bool input_ready(const Model& m) {
-        return m.ready_o;
-    }
-    template <class Model>
-    static bool output_valid(const Model& m) {
-        return m.valid_o;
-    }
-    template <class Model>
-    static void output_ready(Model& m, bool ready) {
-        m.ready_i = ready;
-    }
-    template <class Model>
-    static std::uint32_t output_tag(const Model& m) {
-        return m.tag_o;
-    }
-    template <class Model>
-    static bool clamped(const Model& m) {
-        return m.clamped_o;
-    }
+    static void clock(auto& m, bool level) { m.clk_i = level; }
+    static void reset(auto& m, bool active) { m.rst_ni = !active; }
+    static void input_valid(auto& m, bool valid) { m.valid_i = valid; }
+    static bool input_ready(const auto& m) { return m.ready_o; }
+    static bool output_valid(const auto& m) { return m.valid_o; }
+    static void output_ready(auto& m, bool ready) { m.ready_i = ready; }
+    static std::uint32_t output_tag(const auto& m) { return m.tag_o; }
+    static bool clamped(const auto& m) { return m.clamped_o; }
     /// The low bits of a code, those of `mask`.
     template <class Pin>
     static void set(Pin& pin, std::int32_t code, std::uint32_t mask) {
@@ -98,16 +74,9 @@ struct AxisPins {
         }
     }
 
-    template <class Model>
-    static void clock(Model& m, bool level) {
-        m.aclk = level;
-    }
-    template <class Model>
-    static void reset(Model& m, bool active) {
-        m.aresetn = !active;
-    }
-    template <class Model>
-    static void input(Model& m, const std::int32_t* const* in, std::size_t i, const std::uint32_t* mask,
+    static void clock(auto& m, bool level) { m.aclk = level; }
+    static void reset(auto& m, bool active) { m.aresetn = !active; }
+    static void input(auto& m, const std::int32_t* const* in, std::size_t i, const std::uint32_t* mask,
                       std::uint32_t tag) {
         // The bits between the fields are ignored by contract: fill them with what would show if they were not.
         const std::uint32_t junk = tag * 0x85eb'ca6bU;
@@ -138,33 +107,16 @@ struct AxisPins {
             m.s_axis_tdest = static_cast<std::uint8_t>(dest(tag));
         }
     }
-    template <class Model>
-    static void input_valid(Model& m, bool valid) {
-        m.s_axis_tvalid = valid;
-    }
-    template <class Model>
-    static bool input_ready(const Model& m) {
-        return m.s_axis_tready;
-    }
-    template <class Model>
-    static bool output_valid(const Model& m) {
-        return m.m_axis_tvalid;
-    }
-    template <class Model>
-    static void output_ready(Model& m, bool ready) {
-        m.m_axis_tready = ready;
-    }
-    template <class Model>
-    static bool clamped(const Model& m) {
-        return result(m, 0) >> 31;
-    }
+    static void input_valid(auto& m, bool valid) { m.s_axis_tvalid = valid; }
+    static bool input_ready(const auto& m) { return m.s_axis_tready; }
+    static bool output_valid(const auto& m) { return m.m_axis_tvalid; }
+    static void output_ready(auto& m, bool ready) { m.m_axis_tready = ready; }
+    static bool clamped(const auto& m) { return result(m, 0) >> 31; }
     /// The k-th word of the result.
-    template <class Model>
-    static std::uint32_t result(const Model& m, std::size_t k) {
+    static std::uint32_t result(const auto& m, std::size_t k) {
         return word(m.m_axis_tdata, lane(m.m_axis_tuser) * Outputs + k);
     }
-    template <class Model>
-    static std::uint32_t output_tag(const Model& m) {
+    static std::uint32_t output_tag(const auto& m) {
         if constexpr (Sidebands) {
             const std::uint32_t keep = m.m_axis_tkeep >> 4 * lane(m.m_axis_tuser) & 0xf;
             return packed(m.m_axis_tuser, m.m_axis_tlast, keep, m.m_axis_tid, m.m_axis_tdest);

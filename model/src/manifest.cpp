@@ -91,8 +91,9 @@ std::string described(const HardwareUnit& unit, const FileRoots& roots) {
 }
 
 /// The modules by hand, each with its files: those that units share, and the cores of units.
-std::string modules(std::span<const HardwareUnit> units, const FileRoots& roots) {
-    std::map<std::string, std::vector<HardwareUnit::File>> found;
+using Modules = std::map<std::string, std::vector<HardwareUnit::File>, std::less<>>;
+Modules modules(std::span<const HardwareUnit> units) {
+    Modules found;
     for (const std::string_view name : shared_modules()) found.try_emplace(std::string(name), files_of(name));
     for (const HardwareUnit& unit : units) {
         if (unit.kind.ends_with("_axis") || unit.kind.ends_with("_lanes") || found.contains(unit.core)) continue;
@@ -100,6 +101,10 @@ std::string modules(std::span<const HardwareUnit> units, const FileRoots& roots)
         std::copy_if(unit.files.begin(), unit.files.end(), std::back_inserter(files),
                      [](const HardwareUnit::File& file) { return !file.generated; });
     }
+    return found;
+}
+
+std::string modules_of(const Modules& found, const FileRoots& roots) {
     return list(
         found,
         [&](const auto& module) {
@@ -112,8 +117,8 @@ std::string modules(std::span<const HardwareUnit> units, const FileRoots& roots)
 }
 
 /// By family: for each module that it has of its own the files of it and of all that it contains, and the models for a
-/// simulator.
-std::string families_of(const FileRoots& roots) {
+/// simulator. A core is there where the manifest has a unit of it.
+std::string families_of(const Modules& found, const FileRoots& roots) {
     const auto file = [&](const HardwareUnit::File& f) { return quoted(path(f, roots)); };
     return list(
         families(),
@@ -124,7 +129,9 @@ std::string families_of(const FileRoots& roots) {
             for (const auto& primitive : family.primitives)
                 models.push_back({fmt::format("simulation/{}.v", primitive.first)});
             for (const std::string_view name : family.modules) {
-                unit.files = files_of(name);
+                const auto module = found.find(name);
+                if (module == found.end()) continue;
+                unit.files = module->second;
                 use_family(unit, family.name);
                 members += fmt::format("{}: {}, ", quoted(name), list(unit.files, file, "[", "]", ", "));
             }
@@ -141,6 +148,7 @@ std::string families_of(const FileRoots& roots) {
 }  // namespace
 
 std::string manifest(std::span<const HardwareUnit> units, const FileRoots& roots) {
+    const Modules found = modules(units);
     const bool variable = roots.by_hand.find('$') != std::string_view::npos;
     return fmt::format(
         "{{\"format\": 1,\n \"variables\": {},\n \"dividers\": {},\n \"modules\": {},\n \"families\": {},\n \"units\": "
@@ -148,7 +156,7 @@ std::string manifest(std::span<const HardwareUnit> units, const FileRoots& roots
         variable ? R"({"GLINT_RTL": "the folder rtl/ of Glint"})" : "{}",
         list(
             dividers(), [](const Divider& divider) { return quoted(divider.name); }, "[", "]", ", "),
-        modules(units, roots), families_of(roots),
+        modules_of(found, roots), families_of(found, roots),
         list(
             units, [&](const HardwareUnit& unit) { return described(unit, roots); }, "", "", ",\n "));
 }

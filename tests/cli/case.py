@@ -1,7 +1,9 @@
 """What the tests of the command lines share: a case in a folder of its own, that counts its checks."""
 
 import argparse
+import os
 import subprocess
+import sys
 import tempfile
 import unittest
 from pathlib import Path
@@ -90,3 +92,18 @@ class Case(unittest.TestCase):
 
     def read(self, name):
         return (self.folder / name).read_text()
+
+
+def main(add_options=lambda parser: None):
+    """Runs the tests of the program, those that the command line names or all, and ends it. 77: some were skipped."""
+    module = sys.modules["__main__"]
+    parser = argparse.ArgumentParser(description=module.__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--glint", type=os.path.abspath, required=True)
+    add_options(parser)
+    parser.add_argument("tests", nargs="*", help="classes, or Class.test_name; none: all")
+    names = parser.parse_args(namespace=OPTIONS).tests
+    loader = unittest.TestLoader()
+    suite = loader.loadTestsFromNames(names, module) if names else loader.loadTestsFromModule(module)
+    result = unittest.TextTestRunner(stream=sys.stdout).run(suite)
+    print(f"{Case.count} checks in {result.testsRun} tests, {len(result.failures) + len(result.errors)} tests failed")
+    sys.exit(1 if not result.wasSuccessful() or Case.count == 0 else 77 if result.skipped else 0)

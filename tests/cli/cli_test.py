@@ -6,18 +6,15 @@
 What the numbers are is for other tests; here they are compared with each other. Exit status: 0 if every check held.
 """
 
-import argparse
 import csv
 import itertools
 import json
 import os
 import re
-import sys
-import unittest
 import xml.etree.ElementTree
 from pathlib import Path
 
-from case import BITS, Case, OPTIONS, PROFILES
+from case import BITS, Case, OPTIONS, PROFILES, main
 from arguments_test import Arguments, Stdin  # noqa: F401, chosen by name
 from files_test import Emit, Files, Vectors  # noqa: F401, chosen by name
 from choose_test import Choose, Cost, Prices  # noqa: F401, chosen by name
@@ -368,22 +365,10 @@ class Cosim(Case):
         self.equal(self.files(), [])
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--glint", type=os.path.abspath, required=True)
+def cosim_options(parser):
     parser.add_argument("--cosim", type=os.path.abspath, help="glint-cosim, if it is built")
     parser.add_argument("--cosim-profile", dest="cosim_profiles", action="append", help="a profile that it has")
-    parser.add_argument("tests", nargs="*", help="classes, or Class.test_name; none: all")
-    parser.parse_args(namespace=OPTIONS)
-    if OPTIONS.cosim and not OPTIONS.cosim_profiles:
-        parser.error("--cosim needs --cosim-profile")
-    loader = unittest.TestLoader()
-    here = sys.modules[__name__]
-    suite = loader.loadTestsFromNames(OPTIONS.tests, here) if OPTIONS.tests else loader.loadTestsFromModule(here)
-    result = unittest.TextTestRunner(stream=sys.stdout).run(suite)
-    print(f"{Case.count} checks in {result.testsRun} tests, {len(result.failures) + len(result.errors)} tests failed")
-    return 0 if result.wasSuccessful() and Case.count > 0 else 1
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    main(cosim_options)

@@ -131,7 +131,7 @@ endmodule
     const Routing found = netlist.route(1);
     CHECK(found.routed);
     CHECK(found.clock_mhz > 0.0);
-    const std::string notes = dsp_clock_notes({"hx8k", "up5k", "ecp5-25k", "xc7", "another"});
+    const std::string notes = dsp_clock_notes({"hx8k", "up5k", "ecp5-25k", "lifcl-40", "xc7", "another"});
     CHECK(notes == "up5k: nextpnr-ice40 counts no time inside a DSP: the clocks of units with DSPs are upper bounds\n");
 }
 
@@ -170,7 +170,10 @@ TEST_CASE("a cell without a price is refused") {
     CHECK(some.luts == 3);
     CHECK(some.registers == 7);
     CHECK(some.carries == 1);
-    CHECK(count_resources(*find_device("ecp5-25k").family, {{"LUT4", 3}, {"CCU2C", 2}}).luts == 7);
+    CHECK(count_resources(*find_device("ecp5-25k").family, {{"LUT4", 3}, {"CCU2C", 2}, {"$scopeinfo", 9}}).luts == 7);
+    CHECK(count_resources(*find_device("lifcl-40").family, {{"MULT18X18", 1}, {"MULT36X36", 1}}).dsps == 5);
+    CHECK(count_resources(*find_device("gw2a-18").family, {{"LUT4", 3}, {"ALU", 2}}).luts == 5);
+    CHECK_THROWS_AS(count_resources(*find_device("gw2a-18").family, {{"LUT3", 1}}), Error);
     CHECK_THROWS_AS(count_resources(ice40, {{"SB_SPRAM256KA", 1}}), Error);
     CHECK_THROWS_AS(find_device("hx9k"), Error);
 }

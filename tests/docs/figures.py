@@ -7,7 +7,7 @@
 `<!-- lobes -->`: every lobe at p12, `<!-- profiles of bps -->`: what a sweep of all inputs finds, `<!-- prices -->`: the
 units that its rows name; `<!-- hls -->`: what Bambu made of every kernel, `<!-- forms -->`: of the forms of the divider;
 `<!-- shells -->`: units without and with the AXI4-Stream shell; `<!-- errors -->`: the cheapest formats of `decay` for an
-error, `<!-- devices -->`: on each device, `<!-- parts -->`: what the parts of some of them take; `<!-- beckmann -->`: Beckmann's exponential in two forms; `<!-- blocks -->`: units with tables in block memory; `<!-- cpu -->`: `decay` on a processor; `<!-- faults -->`: the record of planted faults. The last column of the lobes and the first of
+error, `<!-- devices -->`: on each device, `<!-- families -->`: units on every family, `<!-- parts -->`: what the parts of some of them take; `<!-- beckmann -->`: Beckmann's exponential in two forms; `<!-- blocks -->`: units with tables in block memory; `<!-- cpu -->`: `decay` on a processor; `<!-- faults -->`: the record of planted faults. The last column of the lobes and the first of
 the prices are kept: they are words.
 """
 
@@ -20,11 +20,16 @@ import tempfile
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
-MARKED = re.compile(r"(<!-- (lobes|profiles of bps|prices|hls|forms|shells|errors|devices|parts|beckmann|blocks|cpu|faults) -->\n)(.*?)(<!-- end -->\n)", re.DOTALL)
+MARKED = re.compile(r"(<!-- (lobes|profiles of bps|prices|hls|forms|shells|errors|devices|families|parts|beckmann|blocks|cpu|faults) -->\n)(.*?)(<!-- end -->\n)", re.DOTALL)
 
 
 def data(name):
     return json.loads((ROOT / "cost/data" / name).read_text())["points"]
+
+
+def lobe_prices():
+    """Those of both files; a device is in one of them."""
+    return [point for name in ("fpga.json", "fpga-yowasp.json") if (ROOT / "cost/data" / name).is_file() for point in data(name)]
 
 
 def accuracy(lobe, profile):
@@ -91,11 +96,32 @@ def prices(old):
     rows = []
     for row in rows_of(old)[2:]:
         lobe, profile, architecture, device = re.match(r"`(\w+)` ([\w,]+), ([\w:]+), ([\w-]+)", row[0]).groups()
-        point = next(point for point in data("fpga.json") if (point["lobe"], point["profile"], point["architecture"], point["device"]) ==
+        point = next(point for point in lobe_prices() if (point["lobe"], point["profile"], point["architecture"], point["device"]) ==
                      (lobe, profile, architecture, device) and point["dsp"] == ("DSPs" in row[0]))
         rows.append([row[0], significant(error(accuracy(lobe, profile), 8, 1000)), str(point["luts"]), str(point["dsps"]),
-                     f"{point['clock_mhz']:.0f}", f"{point['latency'] * 1000 / point['clock_mhz']:.0f}"])
-    return [["unit", "error", "LUTs", "DSPs", "MHz", "latency, ns"], ["---", "--:", "--:", "--:", "--:", "--:"], *rows]
+                     f"{point['clock_mhz']:.0f}", str(point["latency"]), f"{point['latency'] * 1000 / point['clock_mhz']:.0f}"])
+    return [["unit", "error", "LUTs", "DSPs", "MHz", "latency, clocks", "ns"], ["---", "--:", "--:", "--:", "--:", "--:", "--:"], *rows]
+
+
+def families(_):
+    """Units that are priced on Nexus or Gowin, there and on the first two families."""
+    columns = (("hx8k", False), ("ecp5-25k", True), ("lifcl-40", True), ("gw2a-18", False), ("gw2a-18", True))
+    points = {(p["lobe"], p["profile"], p["architecture"], p["device"], p["dsp"]): p for p in lobe_prices()}
+    units = dict.fromkeys(name[:3] for name in points if name[3] in ("lifcl-40", "gw2a-18"))
+    rows = []
+    for unit in units:
+        row = ["`{}` {}, {}".format(*unit)]
+        for device, dsp in columns:
+            point = points.get((*unit, device, dsp))
+            cells = [] if point is None else [str(point["luts"])] + [str(point["dsps"])] * dsp
+            if point and not point["fits"]:
+                cells = ["does not fit"]
+            elif point and (device, dsp) != ("gw2a-18", True):  # no clock there
+                cells += [f"{point['clock_mhz']:.0f}", f"{point['latency'] * 1000 / point['clock_mhz']:.0f}"]
+            row.append(", ".join(cells) or "-")
+        rows.append(row)
+    return [["unit", *(f"{device}: LUTs{', DSPs' if dsp else ''}{'' if (device, dsp) == ('gw2a-18', True) else ', MHz, ns'}"
+                       for device, dsp in columns)], ["---", *["--:"] * len(columns)], *rows]
 
 
 def by_hand(kernel, profile):
@@ -257,7 +283,7 @@ def main():
     parser.add_argument("--write", action="store_true")
     options = parser.parse_args()
     documents = {"README.md": {"lobes": lobes, "profiles of bps": lambda _: profiles(options.glint), "prices": prices},
-                 "hls/README.md": {"hls": hls, "forms": forms}, "docs/cost.md": {"shells": shells, "blocks": blocks, "errors": errors, "devices": devices,
+                 "hls/README.md": {"hls": hls, "forms": forms}, "docs/cost.md": {"shells": shells, "blocks": blocks, "errors": errors, "devices": devices, "families": families,
                                   "parts": parts, "beckmann": beckmann},
                  "docs/cpu-cost.md": {"cpu": cpu}, "docs/evidence.md": {"faults": faults}}
     for name, makers in documents.items():

@@ -50,8 +50,7 @@ inline void check_triangles(const std::vector<render::Triangle>& triangles, std:
 }
 
 /// Runs a reader; an Error is one line.
-template <class Reader>
-int run(Reader reader) {
+int run(auto reader) {
     std::vector<std::string> warnings;
     try {
         reader(warnings);

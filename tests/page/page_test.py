@@ -87,6 +87,9 @@ class Page(unittest.TestCase):
         self.assertTrue(all(int(dsps) > 0 for dsps in run(column("DSPs"))))
         self.set("axis", "latency_ns")
         self.assertEqual(run("document.getElementById('pareto').layout.xaxis.title.text"), "latency, ns")
+        self.set("axis", "latency_clocks")
+        self.assertEqual(run("document.getElementById('pareto').layout.xaxis.title.text"), "latency, clocks")
+        self.assertIn("Energy is not measured", run("document.body.textContent"))
         self.set("show", "best")
         self.assertTrue(0 < run(f"{ROWS}.length") <= run(POINTS))
 

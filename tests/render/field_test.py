@@ -8,11 +8,9 @@ package assimp-testmodels, then small models with the oddities of those that a w
 """
 
 import json
-import sys
-import unittest
 from pathlib import Path
 
-from render_test import OPTIONS, TRIANGLE, RenderCase, main
+from render_test import OPTIONS, TRIANGLE, RenderCase, main, render_options
 
 TABLE = json.loads((Path(__file__).parent / "models.json").read_text())
 CUBE = [(x, y, z) for z in (0, 1) for x, y in ((0, 0), (1, 0), (1, 1), (0, 1))]
@@ -210,4 +208,4 @@ class Faults(RenderCase):
 
 
 if __name__ == "__main__":
-    sys.exit(main(sys.modules[__name__], __doc__))
+    main(render_options)

@@ -6,20 +6,17 @@
 --rtl: the build has all simulated units of effects at p12. Exit status: 0 if every check held.
 """
 
-import argparse
 import json
 import math
-import os
 import re
 import struct
 import subprocess
 import sys
-import unittest
 import zlib
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "cli"))
-from case import Case, OPTIONS, ROOT  # noqa: E402
+from case import Case, OPTIONS, ROOT, main  # noqa: E402
 
 SCENES = ROOT / "scenes"
 SHIPPED = ("still_life", "sphere_grid", "matte", "many_lights", "figure", "models", "brushed_metal", "clay", "metals",
@@ -469,21 +466,10 @@ class Refusals(RenderCase):
         self.equal(self.files(), ["a.json", "a.obj"])
 
 
-def main(module, description):
-    """Runs the tests of a module, those that the command line names or all."""
-    parser = argparse.ArgumentParser(description=description, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--glint", type=os.path.abspath, required=True)
+def render_options(parser):
     parser.add_argument("--rtl", action="store_true")
     parser.add_argument("--models", type=Path, default=Path("/usr/share/assimp/models"))
-    parser.add_argument("tests", nargs="*", help="classes, or Class.test_name; none: all")
-    parser.parse_args(namespace=OPTIONS)
-    loader = unittest.TestLoader()
-    names = OPTIONS.tests
-    suite = loader.loadTestsFromNames(names, module) if names else loader.loadTestsFromModule(module)
-    result = unittest.TextTestRunner(stream=sys.stdout).run(suite)
-    print(f"{Case.count} checks in {result.testsRun} tests, {len(result.failures) + len(result.errors)} tests failed")
-    return 0 if result.wasSuccessful() and Case.count > 0 else 1
 
 
 if __name__ == "__main__":
-    sys.exit(main(sys.modules[__name__], __doc__))
+    main(render_options)

@@ -7,7 +7,6 @@
 import os
 import re
 import subprocess
-import sys
 import tempfile
 from pathlib import Path
 
@@ -18,14 +17,14 @@ ROOT = replay.RTL.parent
 PAGE = ROOT / "docs/replay.md"
 
 
-def main():
+def main(glint):
     commands = re.search(r"<!-- run by tests/rtl/device_netlists_test.py -->\n```sh\n(.*?)```", PAGE.read_text(), re.DOTALL)[1]
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
         for link in ("rtl", "tests"):
             (folder / link).symlink_to(ROOT / link)
         done = subprocess.run(["bash", "-euc", commands], cwd=folder, capture_output=True, text=True, check=False,
-                              env={**os.environ, "PATH": f"{Path(sys.argv[1]).parent}:{os.environ['PATH']}"})
+                              env={**os.environ, "PATH": f"{Path(glint).parent}:{os.environ['PATH']}"})
         if done.returncode != 0 or done.stdout.count("10000 vectors, 0 mismatches\n") != 4:
             raise icarus.Failed(f"exit status {done.returncode}\n{done.stdout}{done.stderr[-2000:]}")
         print(done.stdout, end="", flush=True)
@@ -49,8 +48,4 @@ def main():
 
 
 if __name__ == "__main__":
-    try:
-        sys.exit(main())
-    except icarus.Failed as failed:
-        print(f"device_netlists_test.py: FAILED: {failed}", file=sys.stderr)
-        sys.exit(1)
+    icarus.main(main)

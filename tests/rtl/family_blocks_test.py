@@ -3,7 +3,6 @@
 must be found."""
 
 import re
-import sys
 import tempfile
 from pathlib import Path
 
@@ -38,30 +37,20 @@ def main():
     total = found = 0
     family = read()["families"]["ecp5"]
     files = list(dict.fromkeys(RTL / file for name in (*MODULES, "simulation") for file in family[name]))
-    try:
-        with tempfile.TemporaryDirectory() as folder:
-            files.append(of_any_device(folder))
-            for widths in WIDTHS:
-                results, mismatches = simulate(folder, files, widths)
-                if mismatches or results < 2 * CLOCKS:
-                    raise icarus.Failed(f"{dict(zip(NAMES, widths))}: {results} results, {mismatches} mismatches")
-                total += results
-            for name, pattern, replacement in BUGS:
-                [at] = [index for index, file in enumerate(files) if file.stem == name]
-                text, matches = re.subn(pattern, replacement, files[at].read_text())
-                if matches != 1:
-                    raise icarus.Failed(f"'{pattern}' matches {matches} times in {files[at]}, not once")
-                planted = Path(folder) / f"{name}.v"
-                planted.write_text(text)
-                if simulate(folder, [*files[:at], planted, *files[at + 1:]], WIDTHS[0])[1] == 0:
-                    raise icarus.Failed(f"not found: '{replacement}' for '{pattern}' in {name}")
-                found += 1
-    except icarus.Failed as failed:
-        print(f"family_blocks_test.py: FAILED: {failed}", file=sys.stderr)
-        return 1
+    with tempfile.TemporaryDirectory() as folder:
+        files.append(of_any_device(folder))
+        for widths in WIDTHS:
+            results, mismatches = simulate(folder, files, widths)
+            if mismatches or results < 2 * CLOCKS:
+                raise icarus.Failed(f"{dict(zip(NAMES, widths))}: {results} results, {mismatches} mismatches")
+            total += results
+        for name, pattern, replacement in BUGS:
+            bug = icarus.with_bug(folder, files, name, pattern, replacement)
+            if simulate(folder, bug, WIDTHS[0])[1] == 0:
+                raise icarus.Failed(f"not found: '{replacement}' for '{pattern}' in {name}")
+            found += 1
     print(f"{total} results, 0 mismatches; {found} planted bugs found")
-    return 0
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    icarus.main(main)

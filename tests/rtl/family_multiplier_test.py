@@ -10,7 +10,6 @@ found.
 
 import shutil
 import subprocess
-import sys
 import tempfile
 from pathlib import Path
 
@@ -72,7 +71,8 @@ def run(executable_folder, files, width):
     return icarus.run(executable)
 
 
-def check(family, products, yosys):
+def main(family, products, yosys=None):
+    products = int(products)
     listed = read()["families"][family]
     files = [RTL / name for name in listed["glint_multiplier"]]
     model = RTL / listed["simulation"][0]
@@ -103,15 +103,5 @@ def check(family, products, yosys):
     print(f"{family}: {total} products, 0 mismatches{', netlists among them' if yosys else ''}; {found} planted bugs found")
 
 
-def main():
-    family, products, *yosys = sys.argv[1:]
-    try:
-        check(family, int(products), *yosys or [None])
-    except (icarus.Failed, subprocess.CalledProcessError) as failed:
-        print(f"FAILED: {failed}", file=sys.stderr)
-        return 1
-    return 0
-
-
 if __name__ == "__main__":
-    sys.exit(main())
+    icarus.main(main)

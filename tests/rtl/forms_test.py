@@ -4,12 +4,10 @@
     forms_test.py GLINT
 """
 
-import subprocess
-import sys
 import tempfile
 from pathlib import Path
 
-from icarus import Failed
+import icarus
 from replay import replay
 
 # With and without a row for each n; tables that share a block memory of ECP5, and a table of both its ports; tables that
@@ -25,31 +23,21 @@ FORMS = (
     ("blinn_phong", "p12", "pipelined:ecp5"),
     ("blinn_phong", "p12", "pipelined:m3:ecp5"),
     ("bps", "p12", "radix4:ecp5"),
+    ("cayley", "p12", "restoring:m3:ecp5"),
+    ("cayley", "p8", "reciprocal:ecp5"),
 )
 
 
-def run(*command):
-    done = subprocess.run(command, capture_output=True, text=True)
-    if done.returncode != 0:
-        raise Failed(f"{' '.join(map(str, command))}: exit status {done.returncode}\n{done.stdout}{done.stderr}")
-
-
-def main():
-    glint = sys.argv[1]
-    try:
-        for lobe, profile, architecture in FORMS:
-            print(lobe, profile, architecture)
-            with tempfile.TemporaryDirectory() as folder:
-                of = ("--lobe", lobe, "--profile", profile, "-o", folder)
-                run(glint, "emit", "--architecture", architecture, "--target", "verilog", *of)
-                run(glint, "vectors", "--count", "1000", "--format", "hex", *of)
-                [vectors] = Path(folder).glob("*.hex")
-                replay(vectors, "core", Path(folder))
-    except Failed as failed:
-        print(f"forms_test.py: FAILED: {failed}", file=sys.stderr)
-        return 1
-    return 0
+def main(glint):
+    for lobe, profile, architecture in FORMS:
+        print(lobe, profile, architecture)
+        with tempfile.TemporaryDirectory() as folder:
+            of = ("--lobe", lobe, "--profile", profile, "-o", folder)
+            icarus.command(glint, "emit", "--architecture", architecture, "--target", "verilog", *of)
+            icarus.command(glint, "vectors", "--count", "1000", "--format", "hex", *of)
+            [vectors] = Path(folder).glob("*.hex")
+            replay(vectors, "core", Path(folder))
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    icarus.main(main)

@@ -3,6 +3,7 @@
 import re
 import shutil
 import subprocess
+import sys
 from pathlib import Path
 
 from units import RTL, sources
@@ -10,6 +11,22 @@ from units import RTL, sources
 
 class Failed(Exception):
     """A run that is no success; the text says why."""
+
+
+def main(check):
+    """Ends the program: 0, or what `check` returns when it is called with the arguments; 1 and a line when it fails."""
+    try:
+        sys.exit(check(*sys.argv[1:]))
+    except (Failed, subprocess.CalledProcessError) as failed:
+        sys.exit(f"{Path(sys.argv[0]).name}: FAILED: {failed}")
+
+
+def command(*words):
+    """Runs a program and returns what it printed."""
+    done = subprocess.run(words, capture_output=True, text=True)
+    if done.returncode != 0:
+        raise Failed(f"{' '.join(map(str, words))}: exit status {done.returncode}\n{done.stdout}{done.stderr}")
+    return done.stdout
 
 
 def build(executable, top, files, parameters=None, macros=None, strict=True):
@@ -58,8 +75,21 @@ def planted(folder, file, pattern, replacement):
     copies = [copy for copy in sources(folder) if copy.name == file]
     if len(copies) != 1:
         raise Failed(f"there are {len(copies)} files {file}, not one")
-    text, found = re.subn(pattern, replacement, copies[0].read_text())
+    copies[0].write_text(altered(copies[0], pattern, replacement))
+    return folder
+
+
+def with_bug(folder, files, module, pattern, replacement):
+    """The same files, but a changed copy of that of a module."""
+    [at] = [index for index, file in enumerate(files) if file.stem == module]
+    copy = Path(folder) / files[at].name
+    copy.write_text(altered(files[at], pattern, replacement))
+    return [*files[:at], copy, *files[at + 1:]]
+
+
+def altered(file, pattern, replacement):
+    """The text of a file with the one match of a pattern replaced."""
+    text, found = re.subn(pattern, replacement, file.read_text())
     if found != 1:
         raise Failed(f"'{pattern}' matches {found} times in {file}, not once")
-    copies[0].write_text(text)
-    return folder
+    return text

@@ -18,7 +18,9 @@ import sys
 import tempfile
 from pathlib import Path
 
+import icarus
 import units
+from icarus import Failed
 from units import RTL
 
 ROOT = RTL.parent
@@ -88,10 +90,6 @@ MODULES = {
 ARCHITECTURES = [{"DIVIDER": d, "MULTIPLIER_STAGES": (4, 1, 3, 2)[d % 4]} for d in range(DIVIDERS)]
 # Units that are linted and damaged with --modules.
 DAMAGED = ("glint_bps_p12", "glint_bps_axis_p12", "glint_effect_lambert_p12")
-
-
-class Failed(Exception):
-    pass
 
 
 def command(tool, top, files, parameters):
@@ -221,8 +219,8 @@ def lint(tool, without, modules_alone, folders):
         raise Failed("nothing was linted")
 
 
-def main():
-    tool, *folders = sys.argv[1:]
+def main(tool="", *folders):
+    folders = list(folders)
     without = []
     modules_alone = folders[:1] == ["--modules"]
     if modules_alone:
@@ -232,13 +230,8 @@ def main():
     if tool not in ("verilator", "iverilog", "yosys") or not folders:
         print(f"lint.py: '{tool}' with {len(folders)} folders is not legal; see the head of this file", file=sys.stderr)
         return 2
-    try:
-        lint(tool, without, modules_alone, folders)
-    except Failed as failed:
-        print(f"lint.py: FAILED: {failed}", file=sys.stderr)
-        return 1
-    return 0
+    return lint(tool, without, modules_alone, folders)
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    icarus.main(main)

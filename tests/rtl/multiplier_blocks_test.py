@@ -8,9 +8,8 @@ failure, and so is one with blocks where they are switched off, which shows that
 """
 
 import re
-import subprocess
-import sys
 
+import icarus
 from units import units
 
 FLOWS = {"SB_MAC16": ("synth_ice40 -dsp", "synth_ice40"), "MULT18X18D": ("synth_ecp5", "synth_ecp5 -nodsp")}
@@ -20,30 +19,22 @@ def blocks(yosys, unit, flow, block):
     """How many blocks the flow makes of a unit."""
     sources = " ".join(map(str, unit["files"]))
     script = f"read_verilog -defer -D SYNTHESIS {sources}; {flow} -top {unit['name']} -run begin:map_ram; stat"
-    done = subprocess.run([yosys, "-p", script], capture_output=True, text=True)
-    if done.returncode != 0:
-        raise RuntimeError(f"{flow} of {unit['name']}: exit status {done.returncode}\n{done.stderr}")
-    found = re.findall(rf"^ +{block} +(\d+)$|^ +(\d+) +{block}$", done.stdout, re.MULTILINE)
+    found = re.findall(rf"^ +{block} +(\d+)$|^ +(\d+) +{block}$", icarus.command(yosys, "-p", script), re.MULTILINE)
     return int("".join(found[-1])) if found else 0
 
 
-def main():
-    (yosys,) = sys.argv[1:]
+def main(yosys):
     chosen = [unit for unit in units().values() if unit["kind"] == "lobe" and unit["profile"] == "p12"]
-    try:
-        for block, (on, off) in FLOWS.items():
-            for unit in chosen:
-                count = blocks(yosys, unit, on, block)
-                print(f"{unit['name']}: {count} {block}")
-                if count == 0:
-                    raise RuntimeError(f"{on}: {unit['name']} has no {block}")
-            if blocks(yosys, chosen[0], off, block) != 0:
-                raise RuntimeError(f"{off}: {chosen[0]['name']} has a {block}")
-    except RuntimeError as error:
-        print(f"FAILED: {error}", file=sys.stderr)
-        return 1
+    for block, (on, off) in FLOWS.items():
+        for unit in chosen:
+            count = blocks(yosys, unit, on, block)
+            print(f"{unit['name']}: {count} {block}")
+            if count == 0:
+                raise icarus.Failed(f"{on}: {unit['name']} has no {block}")
+        if blocks(yosys, chosen[0], off, block) != 0:
+            raise icarus.Failed(f"{off}: {chosen[0]['name']} has a {block}")
     return 0 if chosen else 1
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    icarus.main(main)

@@ -8,8 +8,10 @@ integers: r is the same for all D of an interval, D r is at most 1 even at its u
 """
 
 import re
-import sys
 from pathlib import Path
+
+import icarus
+from icarus import Failed
 
 SOURCE = Path(__file__).resolve().parents[2] / "rtl/blocks/glint_divider_reciprocal.v"
 
@@ -36,7 +38,7 @@ def largest_gap(K):
             r = (offset - (slope * part >> DROP)) >> (U - G)
             low = (1 << (T + W)) + (address << W) + part  # the lower end of D, in units of 2^-(T + W)
             if not 0 <= r < 1 << G or r * (low + 1) > 1 << (G + T + W):
-                raise ValueError(f"K {K}, address {address}, part {part}: reciprocal {r} is too large")
+                raise Failed(f"K {K}, address {address}, part {part}: reciprocal {r} is too large")
             worst = max(worst, (((1 << (G + T + W)) - r * low) << (K + 1)) + (r << (T + W)))
             count += 1
     return worst, 1 << (G + T + W + 1), count
@@ -44,18 +46,14 @@ def largest_gap(K):
 
 def main():
     total = 0
-    try:
-        for K in range(2, 17):
-            worst, unit, count = largest_gap(K)
-            print(f"K {K}: {count} reciprocals, estimate less than {worst / unit:.4f} below the quotient")
-            if worst >= 2 * unit:
-                raise ValueError(f"K {K}: 2 or more")
-            total += count
-    except ValueError as error:
-        print(f"FAILED: {error}", file=sys.stderr)
-        return 1
+    for K in range(2, 17):
+        worst, unit, count = largest_gap(K)
+        print(f"K {K}: {count} reciprocals, estimate less than {worst / unit:.4f} below the quotient")
+        if worst >= 2 * unit:
+            raise Failed(f"K {K}: 2 or more")
+        total += count
     return 0 if total > 0 else 1
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    icarus.main(main)

@@ -130,23 +130,18 @@ class Checks:
                      r"result \d+ was withdrawn")
 
 
-def main():
-    (glint,) = sys.argv[1:]
+def main(glint):
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
         arguments = ["--profile", "p8", "--count", str(COUNT), "--seed", "1", "--format", "hex", "-o", name]
         subprocess.run([glint, "vectors", "--lobe", "bps", *arguments], check=True)
         subprocess.run([glint, "emit", "--lobe", "bps", "--profile", "p8", "--target", "verilog", "-o", folder / "units"], check=True)
         checks = Checks(folder, (folder / f"{NAME}.hex").read_text(), (folder / f"{NAME}.json").read_text())
-        try:
-            checks.files()
-            checks.bugs()
-        except icarus.Failed as failed:
-            print(f"FAILED: {failed}", file=sys.stderr)
-            return 1
+        checks.files()
+        checks.bugs()
     print(f"{checks.made} replays behaved")
     return 0 if checks.made > 0 else 1
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    icarus.main(main)

@@ -6,12 +6,11 @@ the same cells, of the same widths, as one for a term less, and fewer than the w
 """
 
 import json
-import subprocess
-import sys
 import tempfile
 from pathlib import Path
 
-from lint import Failed
+import icarus
+from icarus import Failed
 from units import modules, units
 
 WRAPPER = "glint_effect_shade_bps_p12"
@@ -20,9 +19,7 @@ WRAPPER = "glint_effect_shade_bps_p12"
 def yosys(files, top, parameters, commands):
     chosen = "".join(f" -set {name} {value}" for name, value in parameters.items())
     script = f"read_verilog {' '.join(map(str, files))}; chparam{chosen} {top}; hierarchy -check -top {top}; {commands}"
-    done = subprocess.run(["yosys", "-q", "-p", script], capture_output=True, text=True)
-    if done.returncode:
-        raise Failed(f"yosys -p '{script}': {done.stdout}{done.stderr}")
+    icarus.command("yosys", "-q", "-p", script)
 
 
 def frame(N, mask, diffuse):
@@ -43,7 +40,7 @@ def total(cells):
     return sum(count for name, count in cells.items() if name != "memory bits")
 
 
-def test():
+def main():
     unit = units()[WRAPPER]
     files = unit["files"]
     N = int(unit["core"]["parameters"]["N"])
@@ -77,14 +74,5 @@ def test():
         raise Failed(f"without ambient: {dark}, with it: {whole}")
 
 
-def main():
-    try:
-        test()
-    except Failed as failed:
-        print(f"shade_test.py: FAILED: {failed}", file=sys.stderr)
-        return 1
-    return 0
-
-
 if __name__ == "__main__":
-    sys.exit(main())
+    icarus.main(main)

@@ -5,7 +5,6 @@ copies of these modules, which the benches must find.
     units_test.py [--long] [UNIT...]      default: all units; --long: more operands of dividers and multipliers
 """
 
-import re
 import sys
 import tempfile
 from pathlib import Path
@@ -224,14 +223,9 @@ def check_family(unit, folder):
             icarus.build(Path(folder) / "bench", bench, files, parameters)
             icarus.require(icarus.run(Path(folder) / "bench"), UNITS[unit][2], expected)
             total += expected
-        at = next(index for index, file in enumerate(files) if file.stem == module)
         for pattern, replacement in bugs:
-            text, matches = re.subn(pattern, replacement, files[at].read_text())
-            if matches != 1:
-                raise icarus.Failed(f"'{pattern}' matches {matches} times in {files[at]}, not once")
-            planted = Path(folder) / files[at].name
-            planted.write_text(text)
-            icarus.build(Path(folder) / "bench", bench, [*files[:at], planted, *files[at + 1:]], runs[hunted][0])
+            planted = icarus.with_bug(folder, files, module, pattern, replacement)
+            icarus.build(Path(folder) / "bench", bench, planted, runs[hunted][0])
             if icarus.counts(icarus.run(Path(folder) / "bench"), UNITS[unit][2])[1] == 0:
                 raise icarus.Failed(f"not found: '{replacement}' for '{pattern}' in {module} of {family}")
         print(f"{module} of {family}: {total} {UNITS[unit][2]}, 0 mismatches; {len(bugs)} planted bugs found")
@@ -266,20 +260,14 @@ def check(unit, folder):
         raise icarus.Failed(f"nothing was checked of {module}")
 
 
-def main():
-    units = sys.argv[2 if LONG else 1:] or list(UNITS)
-    try:
-        with tempfile.TemporaryDirectory() as folder:
-            for unit in units:
-                if unit not in UNITS:
-                    raise icarus.Failed(f"unit '{unit}' is not legal: {', '.join(UNITS)}")
-                check(unit, folder)
-                check_family(unit, folder)
-    except icarus.Failed as failed:
-        print(f"FAILED: {failed}", file=sys.stderr)
-        return 1
-    return 0
+def main(*words):
+    with tempfile.TemporaryDirectory() as folder:
+        for unit in words[LONG:] or UNITS:
+            if unit not in UNITS:
+                raise icarus.Failed(f"unit '{unit}' is not legal: {', '.join(UNITS)}")
+            check(unit, folder)
+            check_family(unit, folder)
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    icarus.main(main)

@@ -141,8 +141,7 @@ private:
     using Inputs = std::vector<Input>;
 
     /// Adds what `fill(task, checker)` adds for every task as one set.
-    template <class Fill>
-    void set(const std::string& name, std::size_t tasks, Fill fill) {
+    void set(const std::string& name, std::size_t tasks, auto fill) {
         Findings findings;
         std::mutex mutex;
         parallel_tasks(tasks, options_.threads, io::progress_bar(name), [&] {

@@ -23,20 +23,15 @@ void use_lanes(Lanes lanes);
 #define GLINT_X86_LANES
 namespace detail {
 // `flatten`: everything that the loop calls is compiled for these lanes, too.
-template <class Loop>
-__attribute__((noinline, flatten, target("avx2"))) void avx2(const Loop& loop) {
-    loop();
-}
-template <class Loop>
-__attribute__((noinline, flatten, target("avx512f,avx512vl,avx512dq,avx512bw"))) void avx512(const Loop& loop) {
+__attribute__((noinline, flatten, target("avx2"))) void avx2(const auto& loop) { loop(); }
+__attribute__((noinline, flatten, target("avx512f,avx512vl,avx512dq,avx512bw"))) void avx512(const auto& loop) {
     loop();
 }
 }  // namespace detail
 #endif
 
 /// Runs loop(), a function object around one `#pragma omp simd` loop, compiled for lanes().
-template <class Loop>
-void with_lanes(const Loop& loop) {
+void with_lanes(const auto& loop) {
 #ifdef GLINT_X86_LANES
     if (lanes() == Lanes::avx512) return detail::avx512(loop);
     if (lanes() == Lanes::avx2) return detail::avx2(loop);

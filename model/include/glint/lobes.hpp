@@ -25,11 +25,10 @@ struct Lobe {
     /// The architecture sets the defaults of the wrappers' parameters.
     std::vector<GeneratedFile> (*emit)(const Profile&, const Architecture&);
     std::vector<HardCase> (*hard_cases)(const GoldenModel&);
+    /// Word lengths that the lobe's rule picks for F and O; for a shipped F and O, those of the shipped profile.
+    std::vector<int> (*numbers)(int F, int O) = nullptr;
     std::string_view options = {};  ///< what may follow the name after a ':'; empty: nothing
     bool divider = false;           ///< its unit divides: the divider can be chosen
-    /// The numbers of the custom profile that is the shipped one with this F and O, by a rule that holds for others
-    /// too.
-    std::vector<int> (*numbers)(int F, int O) = nullptr;
     bool deep = false;       ///< its unit can have more registers: the architecture "pipelined:deep"
     bool block = false;      ///< its tables can be put into block memory: the architecture "pipelined:block"
     double bound_ulp = 1.0;  ///< the rounding error of a shipped profile is below it, in ulps, at every legal input

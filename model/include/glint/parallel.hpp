@@ -24,8 +24,7 @@ inline unsigned thread_count(unsigned asked) {
 /// Runs task(0) .. task(count - 1), each once, on `threads` threads (0: one a core). Every thread calls make_worker()
 /// for a callable of its own, so that what is costly to build (a simulation) is built once a thread. The first
 /// exception stops the rest and is thrown here.
-template <class MakeWorker>
-void parallel_tasks(std::size_t count, unsigned threads, const Progress& progress, MakeWorker make_worker) {
+void parallel_tasks(std::size_t count, unsigned threads, const Progress& progress, auto make_worker) {
     std::atomic<std::size_t> next{0};
     std::size_t done = 0;
     std::mutex mutex;

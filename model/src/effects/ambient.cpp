@@ -36,10 +36,6 @@ private:
     }
 };
 
-std::unique_ptr<EffectModel> make_ambient(const Profile& profile, std::string_view) {
-    return std::make_unique<Ambient>(profile);
-}
-
 std::vector<GeneratedFile> emit_ambient(const Profile& profile, std::string_view) {
     const Ambient model(profile);
     return {effect_wrapper(model, {{block::stream(), block::step(3)}}, {{"O", std::to_string(profile.O), ""}}),
@@ -63,11 +59,9 @@ std::vector<EffectCase> ambient_cases(const EffectModel& model) {
 
 }  // namespace
 
-Effect ambient_effect();
-
 Effect ambient_effect() {
-    return {"ambient", "k_a I_a per channel", "B. T. Phong 1975", make_ambient, emit_ambient, ambient_cases, 0.5,
-            false};
+    return {"ambient", "k_a I_a per channel", "B. T. Phong 1975", make_model<Ambient>, emit_ambient, ambient_cases,
+            0.5};
 }
 
 }  // namespace glint

@@ -15,8 +15,6 @@ std::vector<GeneratedFile> emit_blinn_phong(const Profile& profile, std::string_
 
 }  // namespace
 
-Effect blinn_phong_effect();
-
 Effect blinn_phong_effect() {
     return {"blinn_phong",
             "lobe(n, N.H) where N.L > 0",

@@ -94,10 +94,6 @@ private:
     BlinnPhongVectorsFormat f_;
 };
 
-std::unique_ptr<EffectModel> make_blinn_phong_vectors(const Profile& profile, std::string_view) {
-    return std::make_unique<BlinnPhongVectors>(profile);
-}
-
 std::vector<GeneratedFile> emit_blinn_phong_vectors(const Profile& profile, std::string_view) {
     const BlinnPhongVectors model(profile);
     const BlinnPhongVectorsFormat& f = model.format();
@@ -127,11 +123,9 @@ std::vector<EffectCase> blinn_phong_vectors_cases(const EffectModel& model) {
 
 }  // namespace
 
-Effect blinn_phong_vectors_effect();
-
 Effect blinn_phong_vectors_effect() {
-    return {"blinn_phong_vectors",    "c^n of the cosine of two vectors", "Blinn", make_blinn_phong_vectors,
-            emit_blinn_phong_vectors, blinn_phong_vectors_cases,          1.0,     false};
+    return {"blinn_phong_vectors",    "c^n of the cosine of two vectors", "Blinn", make_model<BlinnPhongVectors>,
+            emit_blinn_phong_vectors, blinn_phong_vectors_cases,          1.0};
 }
 
 }  // namespace glint

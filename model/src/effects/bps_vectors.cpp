@@ -89,10 +89,6 @@ private:
     BpsVectorsFormat f_;
 };
 
-std::unique_ptr<EffectModel> make_bps_vectors(const Profile& profile, std::string_view) {
-    return std::make_unique<BpsVectors>(profile);
-}
-
 std::vector<GeneratedFile> emit_bps_vectors(const Profile& profile, std::string_view) {
     const BpsVectors model(profile);
     const auto& [W, R, p] = model.format();
@@ -115,17 +111,14 @@ std::vector<GeneratedFile> emit_bps_vectors(const Profile& profile, std::string_
 
 }  // namespace
 
-Effect bps_vectors_effect();
-
 Effect bps_vectors_effect() {
     return {"bps_vectors",
             "bps of the cosine of two vectors",
             "this project",
-            make_bps_vectors,
+            make_model<BpsVectors>,
             emit_bps_vectors,
             vectors_cases,
-            1.0,
-            false};
+            1.0};
 }
 
 }  // namespace glint

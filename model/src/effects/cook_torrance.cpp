@@ -148,10 +148,6 @@ private:
     CookTorranceFormat f_;
 };
 
-std::unique_ptr<EffectModel> make_cook_torrance(const Profile& profile, std::string_view) {
-    return std::make_unique<CookTorrance>(profile);
-}
-
 std::vector<GeneratedFile> emit_cook_torrance(const Profile& profile, std::string_view) {
     const CookTorrance model(profile);
     const CookTorranceFormat& f = model.format();
@@ -212,17 +208,14 @@ std::vector<EffectCase> cook_torrance_cases(const EffectModel& model) {
 
 }  // namespace
 
-Effect cook_torrance_effect();
-
 Effect cook_torrance_effect() {
     return {"cook_torrance",
             "F D G / (pi N.V)",
             "R. L. Cook, K. E. Torrance 1982",
-            make_cook_torrance,
+            make_model<CookTorrance>,
             emit_cook_torrance,
             cook_torrance_cases,
-            1.4,
-            false};
+            1.4};
 }
 
 }  // namespace glint

@@ -123,10 +123,6 @@ private:
     ModifiedFormat f_;
 };
 
-std::unique_ptr<EffectModel> make_cook_torrance_modified(const Profile& profile, std::string_view) {
-    return std::make_unique<CookTorranceModified>(profile);
-}
-
 std::vector<GeneratedFile> emit_cook_torrance_modified(const Profile& profile, std::string_view) {
     const CookTorranceModified model(profile);
     const ModifiedFormat& f = model.format();
@@ -198,17 +194,14 @@ std::vector<EffectCase> cook_torrance_modified_cases(const EffectModel& model) {
 
 }  // namespace
 
-Effect cook_torrance_modified_effect();
-
 Effect cook_torrance_modified_effect() {
     return {"cook_torrance_modified",
             "F D G / (pi N.V), D a cubic of N.H, F a constant",
             "V. V. Khlebnikov, A. A. Yurov 2010",
-            make_cook_torrance_modified,
+            make_model<CookTorranceModified>,
             emit_cook_torrance_modified,
             cook_torrance_modified_cases,
-            2.5,
-            false};
+            2.5};
 }
 
 }  // namespace glint

@@ -60,10 +60,6 @@ private:
     CosineFormat f_;
 };
 
-std::unique_ptr<EffectModel> make_cosine(const Profile& profile, std::string_view) {
-    return std::make_unique<Cosine>(profile);
-}
-
 std::vector<GeneratedFile> emit_cosine(const Profile& profile, std::string_view) {
     const Cosine model(profile);
     const auto [W, F] = model.format();
@@ -109,10 +105,8 @@ std::vector<EffectCase> cosine_cases(const EffectModel& model) {
 
 }  // namespace
 
-Effect cosine_effect();
-
 Effect cosine_effect() {
-    return {"cosine", "a.b / (|a| |b|), of two vectors", "Euclid", make_cosine, emit_cosine, cosine_cases, 1.0, false};
+    return {"cosine", "a.b / (|a| |b|), of two vectors", "Euclid", make_model<Cosine>, emit_cosine, cosine_cases, 1.0};
 }
 
 }  // namespace glint

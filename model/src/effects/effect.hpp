@@ -14,6 +14,12 @@
 
 namespace glint {
 
+/// The golden model of an effect without a lobe.
+template <class Model>
+std::unique_ptr<EffectModel> make_model(const Profile& profile, std::string_view) {
+    return std::make_unique<Model>(profile);
+}
+
 /// A dot product of unit vectors: F + 2 bits, legal -1 .. 1.
 EffectPort dot_port(std::string_view name, const Profile& profile);
 

@@ -29,10 +29,6 @@ private:
     void real(const double* in, double* out) const override { out[0] = std::max(0.0, in[0]); }
 };
 
-std::unique_ptr<EffectModel> make_lambert(const Profile& profile, std::string_view) {
-    return std::make_unique<Lambert>(profile);
-}
-
 std::vector<GeneratedFile> emit_lambert(const Profile& profile, std::string_view) {
     const Lambert model(profile);
     return {effect_wrapper(model, {{block::stream(), block::step(2)}, {"glint_dot"}},
@@ -56,10 +52,8 @@ std::vector<EffectCase> lambert_cases(const EffectModel& model) {
 
 }  // namespace
 
-Effect lambert_effect();
-
 Effect lambert_effect() {
-    return {"lambert", "max(0, N.L)", "J. H. Lambert 1760", make_lambert, emit_lambert, lambert_cases, 0.5, false};
+    return {"lambert", "max(0, N.L)", "J. H. Lambert 1760", make_model<Lambert>, emit_lambert, lambert_cases, 0.5};
 }
 
 }  // namespace glint

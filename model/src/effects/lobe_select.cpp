@@ -193,8 +193,6 @@ std::vector<EffectCase> lobe_select_cases(const EffectModel& model) {
 
 }  // namespace
 
-Effect lobe_select_effect();
-
 Effect lobe_select_effect() {
     return {"lobe_select",
             "the lobe of that number",
@@ -202,8 +200,7 @@ Effect lobe_select_effect() {
             make_lobe_select,
             emit_lobe_select,
             lobe_select_cases,
-            1.0,
-            false};
+            1.0};
 }
 
 }  // namespace glint

@@ -79,10 +79,6 @@ private:
     OrenNayarFormat f_;
 };
 
-std::unique_ptr<EffectModel> make_oren_nayar(const Profile& profile, std::string_view) {
-    return std::make_unique<OrenNayar>(profile);
-}
-
 /// The rounding error, for all real arguments.
 GeneratedFile proof(const Profile& profile) {
     const int O = profile.O, S = O + 2;
@@ -169,17 +165,14 @@ std::vector<EffectCase> oren_nayar_cases(const EffectModel& model) {
 
 }  // namespace
 
-Effect oren_nayar_effect();
-
 Effect oren_nayar_effect() {
     return {"oren_nayar",
             "N.L (A + B max(0, L.V - N.L N.V) / max(N.L, N.V))",
             "M. Oren, S. K. Nayar 1994",
-            make_oren_nayar,
+            make_model<OrenNayar>,
             emit_oren_nayar,
             oren_nayar_cases,
-            0.75,
-            false};
+            0.75};
 }
 
 }  // namespace glint

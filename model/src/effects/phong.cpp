@@ -15,8 +15,6 @@ std::vector<GeneratedFile> emit_phong(const Profile& profile, std::string_view l
 
 }  // namespace
 
-Effect phong_effect();
-
 Effect phong_effect() {
     return {"phong", "lobe(n, R.V) where N.L > 0", "B. T. Phong 1975", make_phong, emit_phong, highlight_cases, 1.0,
             true};

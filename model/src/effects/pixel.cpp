@@ -361,8 +361,6 @@ std::vector<EffectCase> pixel_cases(const EffectModel& model) {
 
 }  // namespace
 
-Effect pixel_effect();
-
 Effect pixel_effect() {
     return {"pixel",
             "min(1, shade) of the dot products of L, V, N",

@@ -437,8 +437,6 @@ std::vector<std::string_view> shade_effects() {
     return out;
 }
 
-Effect shade_effect();
-
 Effect shade_effect() {
     return {"shade",
             "ambient + tint(sum of diffuse terms) + tint(sum of specular terms)",

@@ -57,10 +57,6 @@ private:
     }
 };
 
-std::unique_ptr<EffectModel> make_tint(const Profile& profile, std::string_view) {
-    return std::make_unique<Tint>(profile);
-}
-
 std::vector<GeneratedFile> emit_tint(const Profile& profile, std::string_view) {
     const Tint model(profile);
     return {effect_wrapper(model, {{block::stream(), block::step(4)}}, {{"O", std::to_string(profile.O), ""}}),
@@ -91,10 +87,8 @@ std::vector<EffectCase> tint_cases(const EffectModel& model) {
 
 }  // namespace
 
-Effect tint_effect();
-
 Effect tint_effect() {
-    return {"tint", "k s I per channel", "B. T. Phong 1975", make_tint, emit_tint, tint_cases, 0.5, false};
+    return {"tint", "k s I per channel", "B. T. Phong 1975", make_model<Tint>, emit_tint, tint_cases, 0.5};
 }
 
 }  // namespace glint

@@ -140,10 +140,6 @@ private:
     WardFormat f_;
 };
 
-std::unique_ptr<EffectModel> make_ward(const Profile& profile, std::string_view) {
-    return std::make_unique<Ward>(profile);
-}
-
 /// The unit has a memory for each of the two logarithms.
 Table named(std::string_view name, Table table) {
     table.name = name;
@@ -218,17 +214,14 @@ std::vector<EffectCase> ward_cases(const EffectModel& model) {
 
 }  // namespace
 
-Effect ward_effect();
-
 Effect ward_effect() {
     return {"ward",
             "sqrt(N.L / N.V) exp(-2 ((H.T / ax)^2 + (H.B / ay)^2) / (1 + N.H)) / (4 pi ax ay)",
             "G. J. Ward 1992",
-            make_ward,
+            make_model<Ward>,
             emit_ward,
             ward_cases,
-            1.3,
-            false};
+            1.3};
 }
 
 }  // namespace glint

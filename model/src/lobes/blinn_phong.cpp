@@ -36,10 +36,6 @@ BlinnPhongFormat blinn_phong_format(const Profile& profile) {
     return {exp_log::make_log2(lobe, profile.F, x.T, x.L), exp_log::make_exp2(lobe, x.E, x.S, profile.O)};
 }
 
-std::unique_ptr<GoldenModel> make_blinn_phong(const Profile& profile) {
-    return std::make_unique<PlainModel<BlinnPhongFormat>>(profile, blinn_phong_format(profile));
-}
-
 std::vector<GeneratedFile> emit_blinn_phong(const Profile& profile, const Architecture& architecture) {
     const BlinnPhongFormat f = blinn_phong_format(profile);
     const auto text = [](int value) { return std::to_string(value); };
@@ -73,19 +69,17 @@ std::vector<HardCase> blinn_phong_hard_cases(const GoldenModel& model) {
 
 }  // namespace
 
-Lobe blinn_phong_lobe();
-
 Lobe blinn_phong_lobe() {
     return {"blinn_phong",
             "c^n as exp2(n log2 c)",
             "F,T,L,E,S,O",
             reference::blinn_phong,
-            make_blinn_phong,
+            make_plain<blinn_phong_format>,
             emit_blinn_phong,
             blinn_phong_hard_cases,
+            exp_log::shipped_numbers,
             {},
             false,
-            exp_log::shipped_numbers,
             false,
             true};
 }

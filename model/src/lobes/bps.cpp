@@ -151,10 +151,6 @@ BpsFormat bps_format(const Profile& profile) {
     return {bps_polynomial(BpsFormat::lobe, profile, numbers[1], numbers[2]), profile.F};
 }
 
-std::unique_ptr<GoldenModel> make_bps(const Profile& profile) {
-    return std::make_unique<PlainModel<BpsFormat>>(profile, bps_format(profile));
-}
-
 /// The arithmetic of docs/lobes/bps.md on real numbers, for which Gappa proves the range of every intermediate and a
 /// bound of the rounding error.
 std::string bps_gappa_body(const BpsFormat& f) {
@@ -306,14 +302,17 @@ std::vector<HardCase> bps_hard_cases(const GoldenModel& model) {
 
 }  // namespace
 
-Lobe bps_lobe();
-
 Lobe bps_lobe() {
-    return {"bps",          "a s^3 + b s^2 + c1 s + d0, s = c / (n - n c + c)",
-            "F,S,K,O",      reference::bps_horner,
-            make_bps,       emit_bps,
-            bps_hard_cases, {},
-            true,           bps_numbers};
+    return {"bps",
+            "a s^3 + b s^2 + c1 s + d0, s = c / (n - n c + c)",
+            "F,S,K,O",
+            reference::bps_horner,
+            make_plain<bps_format>,
+            emit_bps,
+            bps_hard_cases,
+            bps_numbers,
+            {},
+            true};
 }
 
 }  // namespace glint

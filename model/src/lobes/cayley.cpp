@@ -95,10 +95,6 @@ CayleyFormat cayley_format(const Profile& profile) {
     return {profile.F, a, S, profile.O};
 }
 
-std::unique_ptr<GoldenModel> make_cayley(const Profile& profile) {
-    return std::make_unique<PlainModel<CayleyFormat>>(profile, cayley_format(profile));
-}
-
 std::string cayley_gappa_body(const CayleyFormat& f) {
     return fmt::format(R"(
 # n: 7 .. 1023, where num >= 0
@@ -212,19 +208,17 @@ std::vector<HardCase> cayley_hard_cases(const GoldenModel& model) {
 
 }  // namespace
 
-Lobe cayley_lobe();
-
 Lobe cayley_lobe() {
     return {"cayley",
             "(max(0, 16 c - 15/16 m d) / (16 + 273/256 m d))^8, m = n - 8, d = 1 - c; c^n for n = 1 .. 6",
             "F,a,S,O",
             cayley_reference,
-            make_cayley,
+            make_plain<cayley_format>,
             emit_cayley,
             cayley_hard_cases,
+            cayley_numbers,
             {},
-            true,
-            cayley_numbers};
+            true};
 }
 
 }  // namespace glint

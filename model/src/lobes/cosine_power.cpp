@@ -80,10 +80,6 @@ CosinePowerFormat cosine_power_format(const Profile& profile) {
     return {profile.F, log2_a, S, profile.O};
 }
 
-std::unique_ptr<GoldenModel> make_cosine_power(const Profile& profile) {
-    return std::make_unique<PlainModel<CosinePowerFormat>>(profile, cosine_power_format(profile));
-}
-
 /// The script for any a: one line of the contract, one of the real function and one rewriting rule a squaring.
 GeneratedFile cosine_power_script(const Profile& profile, const CosinePowerFormat& f) {
     std::string powers, real_powers, rules, claims, questions;
@@ -167,18 +163,14 @@ std::vector<HardCase> cosine_power_hard_cases(const GoldenModel& model) {
 
 }  // namespace
 
-Lobe cosine_power_lobe();
-
 Lobe cosine_power_lobe() {
     return {CosinePowerFormat::lobe,
             "max(0, (n/a)(c - 1) + 1)^a, a = 8",
             "F,a,S,O",
             reference_cosine_power,
-            make_cosine_power,
+            make_plain<cosine_power_format>,
             emit_cosine_power,
             cosine_power_hard_cases,
-            {},
-            false,
             cosine_power_numbers};
 }
 

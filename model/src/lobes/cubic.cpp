@@ -132,10 +132,6 @@ CubicFormat cubic_format(const Profile& profile) {
     return f;
 }
 
-std::unique_ptr<GoldenModel> make_cubic(const Profile& profile) {
-    return std::make_unique<PlainModel<CubicFormat>>(profile, cubic_format(profile));
-}
-
 std::vector<GeneratedFile> emit_cubic(const Profile& profile, const Architecture& architecture) {
     const CubicFormat f = cubic_format(profile);
     Table table{"row",
@@ -219,18 +215,14 @@ std::vector<HardCase> cubic_hard_cases(const GoldenModel& model) {
 
 }  // namespace
 
-Lobe cubic_lobe();
-
 Lobe cubic_lobe() {
     return {"cubic",
             "A c^3 + B c^2 + C c through 1, 1/2 and 1/18 where c^n is that; 0 from its minimum on",
             "F,S,K,O",
             cubic_reference,
-            make_cubic,
+            make_plain<cubic_format>,
             emit_cubic,
             cubic_hard_cases,
-            {},
-            false,
             cubic_numbers};
 }
 

@@ -102,10 +102,6 @@ DecayFormat decay_format(const Profile& profile) {
     return f;
 }
 
-std::unique_ptr<GoldenModel> make_decay(const Profile& profile) {
-    return std::make_unique<PlainModel<DecayFormat>>(profile, decay_format(profile));
-}
-
 Table piece_table(std::string_view name, std::string module, const std::vector<DecayFormat::Piece>& pieces,
                   int base_bits, int slope_bits) {
     Table out{std::string(name), {{"base", base_bits}, {"slope", slope_bits}}, {}, std::move(module), true, false};
@@ -182,19 +178,17 @@ std::vector<HardCase> decay_hard_cases(const GoldenModel& model) {
 
 }  // namespace
 
-Lobe decay_lobe();
-
 Lobe decay_lobe() {
     return {"decay",
             "c^n as exp(-2^(log2 n + log2(-ln c)))",
             "F,A,M,V,H,G,W,n,O",
             reference::blinn_phong,
-            make_decay,
+            make_plain<decay_format>,
             emit_decay,
             decay_hard_cases,
+            own_numbers,
             {},
             false,
-            own_numbers,
             true,
             false,
             2.0,

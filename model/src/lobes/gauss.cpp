@@ -69,10 +69,6 @@ GaussFormat gauss_format(const Profile& profile) {
             exp_log::make_exp2(lobe, x.E, x.S, profile.O)};
 }
 
-std::unique_ptr<GoldenModel> make_gauss(const Profile& profile) {
-    return std::make_unique<PlainModel<GaussFormat>>(profile, gauss_format(profile));
-}
-
 std::vector<GeneratedFile> emit_gauss(const Profile& profile, const Architecture& architecture) {
     const GaussFormat f = gauss_format(profile);
     const auto text = [](int value) { return std::to_string(value); };
@@ -106,19 +102,17 @@ std::vector<HardCase> gauss_hard_cases(const GoldenModel& model) {
 
 }  // namespace
 
-Lobe gauss_lobe();
-
 Lobe gauss_lobe() {
     return {"gauss",
             "exp(-n theta^2 / 2), theta = acos c",
             "F,T,L,E,S,O",
             gauss,
-            make_gauss,
+            make_plain<gauss_format>,
             emit_gauss,
             gauss_hard_cases,
+            exp_log::shipped_numbers,
             {},
             false,
-            exp_log::shipped_numbers,
             false,
             true};
 }

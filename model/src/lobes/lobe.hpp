@@ -74,6 +74,13 @@ private:
     Format f_;
 };
 
+/// The golden model of a lobe whose word lengths are what `format_of` says of a profile.
+template <auto format_of>
+std::unique_ptr<GoldenModel> make_plain(const Profile& profile) {
+    const auto format = format_of(profile);
+    return std::make_unique<PlainModel<std::remove_const_t<decltype(format)>>>(profile, format);
+}
+
 /// A number of a custom profile within its legal range. Throws Error.
 int in_range(std::string_view lobe, std::string_view what, int value, int low, int high);
 

@@ -148,10 +148,6 @@ PolynomialFormat polynomial_format(const Profile& profile) {
     return f;
 }
 
-std::unique_ptr<GoldenModel> make_polynomial(const Profile& profile) {
-    return std::make_unique<PlainModel<PolynomialFormat>>(profile, polynomial_format(profile));
-}
-
 /// The script for any degree: a line of the contract, of the real function and of the rules each Horner step.
 GeneratedFile polynomial_script(const Profile& profile, const PolynomialFormat& f) {
     const std::size_t degree = f.degree();
@@ -309,19 +305,17 @@ std::vector<HardCase> polynomial_hard_cases(const GoldenModel& model) {
 
 }  // namespace
 
-Lobe polynomial_lobe();
-
 Lobe polynomial_lobe() {
     return {PolynomialFormat::lobe,
             "-1.5342 t^3 + 2.8786 t^2 - 0.3444 t, t = (1 + c) / ((1 + c) + 2 n (1 - c))",
             "F,S,K,O",
             reference_polynomial,
-            make_polynomial,
+            make_plain<polynomial_format>,
             emit_polynomial,
             polynomial_hard_cases,
+            polynomial_numbers,
             "VARIABLE:k0:k1:...",
-            true,
-            polynomial_numbers};
+            true};
 }
 
 }  // namespace glint

@@ -58,10 +58,6 @@ QuadraticFormat quadratic_format(const Profile& profile) {
     return f;
 }
 
-std::unique_ptr<GoldenModel> make_quadratic(const Profile& profile) {
-    return std::make_unique<PlainModel<QuadraticFormat>>(profile, quadratic_format(profile));
-}
-
 std::vector<GeneratedFile> emit_quadratic(const Profile& profile, const Architecture& architecture) {
     const QuadraticFormat f = quadratic_format(profile);
     const auto text = [](std::int64_t x) { return std::to_string(x); };
@@ -135,18 +131,14 @@ std::vector<HardCase> quadratic_hard_cases(const GoldenModel& model) {
 
 }  // namespace
 
-Lobe quadratic_lobe();
-
 Lobe quadratic_lobe() {
     return {QuadraticFormat::lobe,
             "max(0, 0.786 n c^2 + (1 - 0.786 n) c)",
             "F,S,K,O",
             reference_quadratic,
-            make_quadratic,
+            make_plain<quadratic_format>,
             emit_quadratic,
             quadratic_hard_cases,
-            {},
-            false,
             quadratic_numbers};
 }
 

@@ -38,10 +38,6 @@ SchlickFormat schlick_format(const Profile& profile) {
     return {profile.F, profile.O};
 }
 
-std::unique_ptr<GoldenModel> make_schlick(const Profile& profile) {
-    return std::make_unique<PlainModel<SchlickFormat>>(profile, schlick_format(profile));
-}
-
 std::vector<GeneratedFile> emit_schlick(const Profile& profile, const Architecture& architecture) {
     const SchlickFormat f = schlick_format(profile);
     auto files =
@@ -77,12 +73,17 @@ s -> 1 - n * (1 - C) / D {{ D <> 0 }};
 
 }  // namespace
 
-Lobe schlick_lobe();
-
 Lobe schlick_lobe() {
-    return {
-        "schlick", "c / (n - n c + c)", "F,O", reference::schlick, make_schlick, emit_schlick, common_hard_cases, {},
-        true,      schlick_numbers};
+    return {"schlick",
+            "c / (n - n c + c)",
+            "F,O",
+            reference::schlick,
+            make_plain<schlick_format>,
+            emit_schlick,
+            common_hard_cases,
+            schlick_numbers,
+            {},
+            true};
 }
 
 }  // namespace glint

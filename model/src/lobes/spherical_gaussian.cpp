@@ -63,10 +63,6 @@ SphericalGaussianFormat spherical_gaussian_format(const Profile& profile) {
     return f;
 }
 
-std::unique_ptr<GoldenModel> make_spherical_gaussian(const Profile& profile) {
-    return std::make_unique<PlainModel<SphericalGaussianFormat>>(profile, spherical_gaussian_format(profile));
-}
-
 std::vector<GeneratedFile> emit_spherical_gaussian(const Profile& profile, const Architecture& architecture) {
     const SphericalGaussianFormat f = spherical_gaussian_format(profile);
     const auto text = [](std::int64_t value) { return std::to_string(value); };
@@ -98,19 +94,17 @@ std::vector<HardCase> spherical_gaussian_hard_cases(const GoldenModel& model) {
 
 }  // namespace
 
-Lobe spherical_gaussian_lobe();
-
 Lobe spherical_gaussian_lobe() {
     return {"spherical_gaussian",
             "exp((n + 0.775) (c - 1))",
             "F,K,E,S,O",
             spherical_gaussian,
-            make_spherical_gaussian,
+            make_plain<spherical_gaussian_format>,
             emit_spherical_gaussian,
             spherical_gaussian_hard_cases,
+            spherical_gaussian_numbers,
             {},
             false,
-            spherical_gaussian_numbers,
             false,
             true};
 }

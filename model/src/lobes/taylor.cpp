@@ -89,10 +89,6 @@ TaylorFormat taylor_format(const Profile& profile) {
     return {profile.F, a == 8 ? 3 : a == 16 ? 4 : 5, E, S, profile.O};
 }
 
-std::unique_ptr<GoldenModel> make_taylor(const Profile& profile) {
-    return std::make_unique<PlainModel<TaylorFormat>>(profile, taylor_format(profile));
-}
-
 std::string taylor_gappa_body(const TaylorFormat& f) {
     return fmt::format(R"(
 # n: 7, 9 .. 1023, where x < 1
@@ -206,18 +202,14 @@ std::vector<HardCase> taylor_hard_cases(const GoldenModel& model) {
 
 }  // namespace
 
-Lobe taylor_lobe();
-
 Lobe taylor_lobe() {
     return {"taylor",
             "(((1 - x)^2 + 1) / 2)^16, x = n/16 (d + 5/8 d^2), d = 1 - c, 0 from x = 1 on; c^n for n = 1 .. 6 and 8",
             "F,a,E,S,O",
             taylor_reference,
-            make_taylor,
+            make_plain<taylor_format>,
             emit_taylor,
             taylor_hard_cases,
-            {},
-            false,
             taylor_numbers};
 }
 
