@@ -98,6 +98,7 @@ constexpr std::array prices{
     Price{&gowin, "MULT18X18", {.dsps = 1}},
     Price{&gowin, "MULT36X36", {.dsps = 4}},
     Price{&gowin, "pROM*", {.brams = 1}},
+    Price{&gowin, "SP*", {.brams = 1}},
     Price{&gowin, "SDP*", {.brams = 1}},
     Price{&gowin, "IBUF", {}},
     Price{&gowin, "OBUF", {}},
