@@ -102,7 +102,25 @@ class Places:
     def number(self, cursor):
         return self.types.BOOL.value <= cursor.type.get_canonical().kind.value <= self.types.LONGDOUBLE.value
 
+    def in_type(self, start):
+        """In an argument of a template: `name<` is open, which the compiler computes. A comparison has spaces around it."""
+        closed, within = 0, 0  # `>` and `)` that are still to be opened
+        for at in range(start - 1, 2, -1):
+            sign, before = self.text[at:at + 1], self.text[at - 2:at]
+            if sign in b";{}":
+                return False
+            if sign == b">" and before[1:] not in (b" ", b"-") and before != b" >":
+                closed += 1
+            if sign == b"<" and re.match(rb"\w", before[1:]):
+                if closed == 0 and within == 0:
+                    return True
+                closed = max(0, closed - 1)
+            within = max(0, within + {b")": 1, b"(": -1}.get(sign, 0))
+        return False
+
     def add(self, cursor, what, start, end, alternative):
+        if self.in_type(start):
+            return
         self.found.append({"line": cursor.extent.start.line, "start": start, "end": end, "mutation": what, "new": alternative})
 
     def visit(self, cursor, parent):
