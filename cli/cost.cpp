@@ -126,7 +126,7 @@ void add_cost(CLI::App& app, Chosen& chosen) {
         command->add_option("--mask", o->mask, "Of shade and pixel: values of MASK; default: a list (docs/cost.md)"),
         command->add_option("--profile", o->profile, "Profiles: p8, p12, p16 or the lobe's F,..,O"),
         command->add_option("--device", o->device,
-                            "hx8k (default), up5k, ecp5-25k, ecp5-85k, lifcl-40, gw2a-18, xc7; table: all"),
+                            "hx8k (default), up5k, ecp5-25k/85k, lifcl-40, gw2a-18, xc7; table: all"),
     };
     command->add_option("--json", o->json, "Write the table as JSON; merge what is measured into this file");
     TableOptions& table = o->table;

@@ -70,6 +70,10 @@ TEST_CASE("harness: a unit of 37 registers costs 37 registers, and nothing else,
     Flow flow(folder.path());
     for (const Device& device : devices()) {
         CAPTURE(device.name);
+        if (device.family->yosys != "yosys" && !flow.missing(device).empty()) {
+            WARN(flow.missing(device));
+            continue;
+        }
         const Resources one = priced(flow, delay(37, 1), device);
         CHECK(one.registers == 37);
         CHECK(one.luts == 0);
