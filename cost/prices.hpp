@@ -32,8 +32,8 @@ struct Prices {
     const AccuracyRecord* find(const std::string& lobe, const std::string& profile) const;
 };
 
-/// accuracy.json and fpga.json of a folder, and fpga-yowasp.json, cpu.json and hls.json where they are there. Throws Error: what is
-/// missing or not legal in which file, and what writes it.
+/// accuracy.json and fpga.json of a folder, and fpga-yowasp.json, cpu.json and hls.json where they are there. Throws
+/// Error: what is missing or not legal in which file, and what writes it.
 Prices read_cost_data(const std::string& folder);
 
 /// What a comparison is about.

@@ -29,8 +29,8 @@ struct Lobe {
     std::vector<int> (*numbers)(int F, int O) = nullptr;
     std::string_view options = {};  ///< what may follow the name after a ':'; empty: nothing
     bool divider = false;           ///< its unit divides: the divider can be chosen
-    bool deep = false;       ///< its unit can have more registers: the architecture "pipelined:deep"
-    bool block = false;      ///< its tables can be put into block memory: the architecture "pipelined:block"
+    bool deep = false;              ///< its unit can have more registers: the architecture "pipelined:deep"
+    bool block = false;             ///< its tables can be put into block memory: the architecture "pipelined:block"
     double bound_ulp = 1.0;  ///< the rounding error of a shipped profile is below it, in ulps, at every legal input
     /// A number that the error against the real function is not above, at any legal input of a profile: proven, in less
     /// time than trying them takes. Null: there is none but `bound_ulp`. Throws Error when the profile is not legal.

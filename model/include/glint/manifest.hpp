@@ -67,8 +67,8 @@ inline constexpr FileRoots committed_list{"$(GLINT_RTL)/", "$(GLINT_RTL)/generat
 inline constexpr FileRoots emitted_paths{"$(GLINT_RTL)/", ""};  ///< of a units.json beside generated files
 inline constexpr FileRoots emitted_list{"$(GLINT_RTL)/", "$(GLINT_EMITTED)/"};
 
-/// Devices with files in the place of others, in a folder NAME beside them (rtl/blocks/NAME, rtl/lobes/NAME): modules of
-/// the same ports, parameters, bits and clocks. Primitives that they are made of have models in rtl/simulation/.
+/// Devices with files in the place of others, in a folder NAME beside them (rtl/blocks/NAME, rtl/lobes/NAME): modules
+/// of the same ports, parameters, bits and clocks. Primitives that they are made of have models in rtl/simulation/.
 struct Family {
     std::string_view name;
     std::vector<std::string_view> modules;
