@@ -53,6 +53,7 @@ install_missing() {
         need valgrind command_there valgrind
         need libbenchmark-dev file_there '/usr/include/benchmark/benchmark.h'
         need iverilog command_there iverilog
+        need ghdl command_there ghdl
         need yosys command_there yosys
         need nextpnr-ice40 command_there nextpnr-ice40
         need fpga-icestorm command_there icepack

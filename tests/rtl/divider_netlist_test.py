@@ -9,7 +9,6 @@ MULT18X18D is ours.
 
 import re
 import subprocess
-import sys
 import tempfile
 from pathlib import Path
 
@@ -68,14 +67,5 @@ def check(yosys):
     print(f"netlists of {len(RUNS)} dividers: {total} divisions, 0 mismatches; a wrong look-up table found")
 
 
-def main():
-    try:
-        check(sys.argv[1])
-    except (icarus.Failed, subprocess.CalledProcessError) as failed:
-        print(f"divider_netlist_test.py: FAILED: {failed}", file=sys.stderr)
-        return 1
-    return 0
-
-
 if __name__ == "__main__":
-    sys.exit(main())
+    icarus.main(check)
