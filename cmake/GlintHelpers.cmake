@@ -3,9 +3,10 @@ function(glint_own_code target)
   target_compile_options(${target} PRIVATE -Wall -Wextra -Wconversion $<$<BOOL:${GLINT_WERROR}>:-Werror>)
 endfunction()
 
-# glint_few_at_a_time(target): a few files are compiled as one, and what they include, and the templates that they share, once.
+# glint_few_at_a_time(target): GLINT_FILES_AT_A_TIME files are compiled as one, and what they include, and the templates that
+# they share, once.
 function(glint_few_at_a_time target)
-  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 6)
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE ${GLINT_FILES_AT_A_TIME})
 endfunction()
 
 # glint_words(target file...): our own code that handles words and files: at -O0, and the headers of the libraries, which are

@@ -38,7 +38,9 @@ Bursts bursts_of(std::uint64_t inputs, std::size_t ports, auto row) {
             }};
 }
 
-Bursts stream_bursts(const Effect& effect, const EffectModel& model, std::uint64_t count,
+/// Hard cases, corners, then `request.count` random inputs. A run with stalls is about the handshake: it has no more
+/// corners than random inputs.
+Bursts stream_bursts(const Effect& effect, const EffectModel& model, const Request& request,
                      std::uint64_t& corner_inputs) {
     const std::vector<EffectCase> cases = effect.hard_cases(model);
     std::vector<std::vector<std::int64_t>> corners;
@@ -47,10 +49,13 @@ Bursts stream_bursts(const Effect& effect, const EffectModel& model, std::uint64
         corners.push_back(corner_codes(port));
         products *= static_cast<double>(corners.back().size());
     }
-    const bool all = products <= static_cast<double>(most_corners);
-    corner_inputs = cases.size() + (all ? static_cast<std::uint64_t>(products) : sampled_corners);
+    const std::uint64_t most =
+        request.stall_probability > 0.0 ? std::min(request.count, sampled_corners) : std::uint64_t{most_corners};
+    const bool all = products <= static_cast<double>(most);
+    corner_inputs =
+        cases.size() + (all ? static_cast<std::uint64_t>(products) : std::min(most, std::uint64_t{sampled_corners}));
     const std::uint64_t first_random = corner_inputs;
-    return bursts_of(corner_inputs + count, corners.size(),
+    return bursts_of(corner_inputs + request.count, corners.size(),
                      [&model, cases, corners, all, first_random](std::uint64_t k, Random& random, Stimulus& stimulus,
                                                                  std::size_t i) {
                          if (k >= first_random) return random_row(model, random, stimulus, i);
@@ -123,6 +128,10 @@ Bursts reset_bursts(const EffectModel& model, std::uint64_t count) {
             }};
 }
 
+/// Whether a run also measures the golden model: those with stalls and resets send inputs of the same kind as one
+/// without.
+bool measures(const Request& request) { return request.stall_probability == 0.0 && request.test != Test::reset; }
+
 /// The golden model against the real function: the largest error that one thread has seen.
 class Meter {
 public:
@@ -172,7 +181,7 @@ Plan plan_of(const Bursts& bursts, const EffectModel& model, const Request& requ
                     for (std::uint32_t& tag : stimulus.tags) tag = static_cast<std::uint32_t>(random.next());
                     stimulus.stall_seed = random.next();
                     checker.run(stimulus, burst);
-                    if (!meter.measure(stimulus, checker)) return;
+                    if (!measures(request) || !meter.measure(stimulus, checker)) return;
                     const std::lock_guard lock(errors.mutex);
                     errors.largest[burst] = meter.largest();
                 };
@@ -193,7 +202,7 @@ EffectRun test_effect(const Effect& effect, const EffectModel& model, const Unit
     for (const EffectPort& port : model.inputs()) run.inputs_of_unit.emplace_back(port.name);
     run.bound_ulp = effect.bound_ulp;
 
-    const Bursts bursts = request.test == Test::stream       ? stream_bursts(effect, model, request.count, run.corners)
+    const Bursts bursts = request.test == Test::stream       ? stream_bursts(effect, model, request, run.corners)
                           : request.test == Test::illegal    ? illegal_bursts(model)
                           : request.test == Test::exhaustive ? exhaustive_bursts(model)
                                                              : reset_bursts(model, request.count);
@@ -222,21 +231,16 @@ nlohmann::ordered_json to_json(const std::vector<EffectRun>& runs, const std::st
     for (const EffectRun& run : runs) {
         nlohmann::ordered_json in = nlohmann::ordered_json::object();
         for (std::size_t p = 0; p < run.error.in.size(); ++p) in[run.inputs_of_unit[p]] = run.error.in[p];
-        nlohmann::ordered_json one{
-            {"effect", run.effect},
-            {"lobe", run.lobe},
-            {"profile", run.profile},
-            {"mask", run.mask},
-            {"test", run.test},
-            {"inputs", run.inputs},
-            {"corners", run.corners},
-            {"mismatches", run.mismatches},
-            {"cycles", run.cycles},
-            {"stall_probability", run.request.stall_probability},
-            {"seed", run.request.seed},
-            {"seconds", run.seconds},
-            {"rounding_error",
-             {{"ulp", run.error.ulp}, {"bound_ulp", run.bound_ulp}, {"output", run.error.output}, {"inputs", in}}}};
+        nlohmann::ordered_json one{{"effect", run.effect},     {"lobe", run.lobe},
+                                   {"profile", run.profile},   {"mask", run.mask},
+                                   {"test", run.test},         {"inputs", run.inputs},
+                                   {"corners", run.corners},   {"mismatches", run.mismatches},
+                                   {"cycles", run.cycles},     {"stall_probability", run.request.stall_probability},
+                                   {"seed", run.request.seed}, {"seconds", run.seconds}};
+        if (measures(run.request)) {
+            one["rounding_error"] = {
+                {"ulp", run.error.ulp}, {"bound_ulp", run.bound_ulp}, {"output", run.error.output}, {"inputs", in}};
+        }
         if (run.request.stall_probability == 0.0) {
             one["latency_cycles"] = run.latency_cycles;
             one["results_per_cycle"] = run.results_per_cycle;
@@ -251,13 +255,15 @@ std::string effect_table(const std::vector<EffectRun>& runs) {
                                                 "per clock", "error, ulp", "bound", "at"}};
     for (const EffectRun& run : runs) {
         const bool timed = run.request.stall_probability == 0.0;
-        std::string at = run.error.output + ":";
+        const bool measured = measures(run.request);
+        std::string at = measured ? run.error.output + ":" : "-";
         for (const std::int64_t code : run.error.in) at += fmt::format(" {}", code);
         rows.push_back({run.mask < 0 ? run.effect : fmt::format("{} MASK {}", run.effect, run.mask),
                         run.lobe.empty() ? "-" : run.lobe, run.profile, run.test, fmt::format("{}", run.inputs),
                         fmt::format("{}", run.mismatches), timed ? fmt::format("{}", run.latency_cycles) : "-",
                         timed ? fmt::format("{:.4f}", run.results_per_cycle) : "-",
-                        fmt::format("{:.4f}", run.error.ulp), fmt::format("{:.4f}", run.bound_ulp), at});
+                        measured ? fmt::format("{:.4f}", run.error.ulp) : "-", fmt::format("{:.4f}", run.bound_ulp),
+                        at});
     }
     return io::table(rows);
 }

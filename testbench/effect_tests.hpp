@@ -1,7 +1,8 @@
-// The tests of the unit of an effect. Each also holds the golden model against the real function.
+// The tests of the unit of an effect. Test::stream and Test::exhaustive without stalls also hold the golden model
+// against the real function.
 //
-// Test::stream sends the hard cases, the products of the corners of all inputs, then Request::count random inputs;
-// Test::illegal every illegal code of every input, with the others random.
+// Test::stream sends the hard cases, the products of the corners of all inputs, then Request::count random inputs (with
+// stalls: no more corners than random inputs); Test::illegal every illegal code of every input, with the others random.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +18,7 @@ namespace glint::testbench {
 /// The largest difference of the golden model and the real function, in the units of Effect::bound_ulp, and where it
 /// was seen.
 struct EffectError {
-    double ulp = -1.0;  ///< -1: nothing seen
+    double ulp = -1.0;  ///< -1: not measured
     std::string output;
     std::vector<std::int64_t> in;
 };
