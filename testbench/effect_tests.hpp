@@ -2,8 +2,8 @@
 // against the real function.
 //
 // Test::stream sends the hard cases, the products of the corners of all inputs, then Request::count random inputs (with
-// stalls: no more corners than random inputs); Test::illegal every illegal code of every input, with the others random; a
-// port with few of them gets each again.
+// stalls: no more corners than random inputs); Test::illegal every illegal code of every input, with the others random;
+// a port with few of them gets each again.
 #pragma once
 
 #include <cstdint>
