@@ -192,7 +192,7 @@ def of_own():
     top, kind, parameters = "glint_quadratic_p8", "own", {"TAG_W": 1}
     bugged = [task for module, table in bugs.OWN.items() for task in planted("own.quadratic", top, kind, parameters, 12, module, table)]
     return [*bugged, Task("own.quadratic.cover", "not vacuous", top, kind, parameters, "cover", 14)] + [Task(f"own.{lobe}.p8", "y and clamped belong to their own input", f"glint_{lobe}_p8", "own", {"TAG_W": 1}, "induction", 1)
-            for lobe in LOBES if not in_stream(f"glint_{lobe}")]  # own.vh stands on glint_ports
+            for lobe in LOBES if not in_stream(f"glint_{lobe}") and lobe != "cayley"]  # own.vh stands on glint_ports; of cayley z3 gave no answer
 
 
 def of_shade():
