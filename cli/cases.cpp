@@ -66,7 +66,7 @@ void add_cases(CLI::App& app, Chosen& chosen) {
     command->callback([=, &chosen] {
         chosen.run = [=] {
             io::check_writable(*output, *json_file);
-            if (!json_file->empty()) io::write_file(*json_file, json().dump(1) + "\n");
+            if (!json_file->empty()) io::write_json(*json_file, json());
             if (!output->empty()) io::write_file(*output, page());
             if (output->empty() && json_file->empty()) fmt::print("{}", page());
             return io::success;

@@ -281,7 +281,7 @@ int run_choose(ChooseOptions options, const std::string& command) {
               {"configurations", decision.all.size()},
               {"feasible", choice.feasible.size()}};
     const auto finish = [&](int status) {
-        if (!options.json.empty()) io::write_file(options.json, json.dump(1) + "\n");
+        if (!options.json.empty()) io::write_json(options.json, json);
         return status;
     };
     fmt::print("wanted: the best {} on {} for {}{}{}\n", options.minimize, options.device, to_text(scope),

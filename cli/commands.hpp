@@ -14,6 +14,11 @@ struct Chosen {
     std::string command;
 };
 
+inline constexpr const char* purpose = "Specular highlights in fixed point: evaluate, measure, and hand to hardware.";
+
+/// All of them. The arguments are read later, by io::run.
+void add_all(CLI::App& app, Chosen& chosen, int argc, char** argv);
+
 void add_eval(CLI::App& app, Chosen& chosen);
 void add_sweep(CLI::App& app, Chosen& chosen);
 void add_merge(CLI::App& app, Chosen& chosen);

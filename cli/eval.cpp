@@ -192,7 +192,7 @@ int show(const Unit& unit, const Codes& in, const EvalOptions& options, const st
     } else {
         json.update({{"outputs", outputs}, {"clamped", result.clamped}, {"values", values}, {"real", reals}});
     }
-    if (!options.json.empty()) io::write_file(options.json, json.dump(1) + "\n");
+    if (!options.json.empty()) io::write_json(options.json, json);
     fmt::print("{}", text);
     return io::success;
 }

@@ -48,7 +48,7 @@ int run_fit(const FitOptions& options, const std::string& command) {
         out["rows"] = result.rows;
         out["rms"] = result.rms;
         out["largest"] = {{"error", result.largest}, {"n", result.largest_n}, {"theta", result.largest_theta}};
-        io::write_file(options.json, out.dump(1) + "\n");
+        io::write_json(options.json, out);
     }
     fmt::print("{} by {}, degree {}, {} rows\n{}", name(request.variable), name(request.method), request.degree,
                result.rows, io::table(rows));

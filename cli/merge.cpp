@@ -19,7 +19,7 @@ int run_merge(const MergeOptions& options, const std::string& command) {
     const io::Merged merged = io::merge_shards(options.files);
     if (!options.csv.empty()) io::write_file(options.csv, io::to_csv(merged.runs));
     if (!options.json.empty()) {
-        io::write_file(options.json, io::to_json(merged.runs, merged.tool, command).dump(1) + "\n");
+        io::write_json(options.json, io::to_json(merged.runs, merged.tool, command));
     }
     bool failed = false;
     bool hardware = false;

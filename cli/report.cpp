@@ -103,7 +103,9 @@ int run_report(const ReportOptions& options, const std::string& command) {
     report["cpu"] = json_of(options.study.cpu);
     report["cpu_models"] = json_of(options.study.cpu_models);
     report["hard_cases"] = hard_cases_json(results);
-    io::run_page_script("report.py", report.dump() + "\n", options.output);
+    io::make_folder(options.output);
+    io::check_writable(std::filesystem::path(options.output) / "index.html");
+    io::run_page_script("report.py", io::json_text(report), options.output);
     return report["problems"].empty() ? io::success : io::check_failed;
 }
 

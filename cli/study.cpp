@@ -33,7 +33,7 @@ int run_study(const StudyOptions& options, const std::string& command) {
     if (!options.json.empty()) {
         nlohmann::ordered_json out = studies::to_json(found);
         out.update({{"tool", "glint study"}, {"version", GLINT_VERSION}, {"command", command}});
-        io::write_file(options.json, out.dump() + "\n");
+        io::write_json(options.json, out, -1);
     }
     fmt::print("Paper 1 (δ: relative error in the epicentre zone, Δ: absolute error)\n{}\n",
                studies::claims_table(found.claims_1));

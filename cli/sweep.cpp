@@ -104,7 +104,7 @@ int run_sweep(SweepOptions& options, const std::string& command) {
     if (!options.csv.empty()) io::write_file(options.csv, io::to_csv(runs));
     if (!options.json.empty()) {
         const auto json = io::to_json(runs, "glint sweep", command, options.shard.shard());
-        io::write_file(options.json, json.dump(1) + "\n");
+        io::write_json(options.json, json);
     }
     fmt::print("{}", io::results_table(runs, false));
     if (failed) fmt::print("{}", io::bound_line);

@@ -40,7 +40,7 @@ void write(const VectorsOptions& options, const std::string& command, const nloh
         {"command", command},
     });
     io::write_file(path.string() + "." + options.format, vectors);
-    io::write_file(path.string() + ".json", manifest.dump(1) + "\n");
+    io::write_json(path.string() + ".json", manifest);
     fmt::print("{}.{}: {} vectors, seed {}\n", path.string(), options.format, options.count, options.seed);
 }
 

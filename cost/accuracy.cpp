@@ -101,8 +101,12 @@ std::vector<AccuracyRecord> read_accuracy_file(const std::string& path) {
 int run_cost_accuracy(const std::string& lobes, const std::string& profiles, const std::string& json,
                       unsigned threads) {
     io::check_writable(json);
-    std::vector<AccuracyRecord> records;
-    if (!json.empty() && std::filesystem::is_regular_file(json)) records = read_accuracy_file(json);
+    const auto there = [&] {
+        return !json.empty() && std::filesystem::is_regular_file(json) ? read_accuracy_file(json)
+                                                                       : std::vector<AccuracyRecord>();
+    };
+    there();  // what can be refused is, before the work
+    std::vector<AccuracyRecord> measured;
     bool failed = false;
     std::vector<std::vector<std::string>> rows{{"lobe", "profile", "rounding/ulp", "error", "n >= 8", "exact cos"}};
     for (const auto& model : io::models(lobes, profiles)) {
@@ -113,13 +117,20 @@ int run_cost_accuracy(const std::string& lobes, const std::string& profiles, con
                         fmt::format("{:.3g}", record.error({8, max_n, 1}, Cosine::rounded)),
                         fmt::format("{:.3g}", record.error(all, Cosine::exact))});
         failed = failed || (model->profile().shipped() && record.rounding >= find_lobe(model->lobe()).bound_ulp);
-        std::erase_if(records, [&](const AccuracyRecord& old) {
-            return old.lobe == record.lobe && old.profile == record.profile;
-        });
-        records.push_back(std::move(record));
+        measured.push_back(std::move(record));
     }
-    std::sort(records.begin(), records.end(), before);
-    if (!json.empty()) io::write_file(json, to_text(records));
+    if (!json.empty()) {
+        const io::FolderLock lock(json);
+        std::vector<AccuracyRecord> records = there();  // another run may have added some
+        for (AccuracyRecord& record : measured) {
+            std::erase_if(records, [&](const AccuracyRecord& old) {
+                return old.lobe == record.lobe && old.profile == record.profile;
+            });
+            records.push_back(std::move(record));
+        }
+        std::sort(records.begin(), records.end(), before);
+        io::write_file(json, to_text(records));
+    }
     fmt::print("{}", io::table(rows));
     if (failed) fmt::print("FAILED: the rounding error of a shipped profile reaches the bound of its lobe\n");
     return failed ? io::check_failed : io::success;

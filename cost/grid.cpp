@@ -136,15 +136,6 @@ Json to_json(const Grid& grid, const GridOptions& options) {
     return out;
 }
 
-Json read_grids(const std::string& path) {
-    if (!std::filesystem::is_regular_file(path)) return Json::array();
-    const Json file = Json::parse(io::read_file(path), nullptr, false);
-    if (!file.is_object() || file.value("format", "") != grid_format || !file.contains("grids")) {
-        throw Error(fmt::format("file '{}' is not of the format {}: name another, or remove it", path, grid_format));
-    }
-    return file["grids"];
-}
-
 std::string to_text(const Json& grids, const std::string& yosys) {
     std::string out = fmt::format("{{\"format\": \"{}\",\n \"tools\": {{\"yosys\": {}}},\n \"grids\": [", grid_format,
                                   Json(yosys).dump());
@@ -181,7 +172,32 @@ std::string to_text_for_error(const Grid& grid) {
                        grid.looked_into);
 }
 
+/// The grids of the file with another one, in the place of one of the same request.
+void add_grid(Json& grids, Json json) {
+    const auto same = std::find_if(grids.begin(), grids.end(), [&](const Json& old) {
+        const auto same_value = [&](const char* key) { return old.value(key, Json()) == json.value(key, Json()); };
+        return same_value("lobe") && same_value("F") && same_value("O") && same_value("device") && same_value("dsp") &&
+               same_value("max_error");
+    });
+    if (same == grids.end()) {
+        grids.push_back(std::move(json));
+    } else {
+        *same = std::move(json);
+    }
+}
+
 }  // namespace
+
+Json read_grids(const std::string& path) {
+    if (!std::filesystem::is_regular_file(path)) return Json::array();
+    const Json file = Json::parse(io::read_file(path), nullptr, false);
+    const Json format = file.is_object() ? file.value("format", Json()) : Json();
+    const Json grids = file.is_object() ? file.value("grids", Json()) : Json();
+    if (format != grid_format || !grids.is_array() || !std::ranges::all_of(grids, &Json::is_object)) {
+        throw Error(fmt::format("file '{}' is not of the format {}: name another, or remove it", path, grid_format));
+    }
+    return grids;
+}
 
 int run_cost_grid(const GridOptions& options) {
     io::check_writable(options.json);
@@ -194,7 +210,8 @@ int run_cost_grid(const GridOptions& options) {
     }
     Flow flow(options.cache);
     const std::string yosys = flow.version("yosys");
-    Json grids = options.json.empty() ? Json::array() : read_grids(options.json);
+    if (!options.json.empty()) read_grids(options.json);  // what can be refused is, before the work
+    std::vector<Json> found;
     int status = io::success;
     try {
         for (const LobeChoice& choice : io::split_lobes(options.lobe)) {
@@ -209,25 +226,18 @@ int run_cost_grid(const GridOptions& options) {
                 continue;
             }
             fmt::print("{}", for_error ? to_text_for_error(grid) : to_text(grid));
-            Json json = to_json(grid, options);
-            const auto same = std::find_if(grids.begin(), grids.end(), [&](const Json& old) {
-                const auto same_value = [&](const char* key) {
-                    return old.value(key, Json()) == json.value(key, Json());
-                };
-                return same_value("lobe") && same_value("F") && same_value("O") && same_value("device") &&
-                       same_value("dsp") && same_value("max_error");
-            });
-            if (same == grids.end()) {
-                grids.push_back(std::move(json));
-            } else {
-                *same = std::move(json);
-            }
+            found.push_back(to_json(grid, options));
         }
     } catch (const ToolFailure& failure) {
         fmt::print(stderr, "glint: {}\n", failure.what());
         return io::check_failed;
     }
-    if (!options.json.empty() && !grids.empty()) io::write_file(options.json, to_text(grids, yosys));
+    if (!options.json.empty() && !found.empty()) {
+        const io::FolderLock lock(options.json);
+        Json grids = read_grids(options.json);  // another run may have added some
+        for (Json& grid : found) add_grid(grids, std::move(grid));
+        io::write_file(options.json, to_text(grids, yosys));
+    }
     return status;
 }
 

@@ -4,6 +4,8 @@
 
 #include <string>
 
+#include <nlohmann/json_fwd.hpp>
+
 namespace glint::cost {
 
 struct GridOptions {
@@ -18,6 +20,9 @@ struct GridOptions {
     int most = 8;      ///< formats that are synthesized, beside the lobe's own
     unsigned jobs = 1, threads = 0;
 };
+
+/// The grids of a file that this command wrote, none where the file is not there. Throws Error.
+nlohmann::ordered_json read_grids(const std::string& path);
 
 /// The exit status: 1 where no format will do, or a tool fails. Throws Error.
 int run_cost_grid(const GridOptions& options);

@@ -195,11 +195,11 @@ int run_cost_table(TableOptions options, const std::string& command) {
     if (!options.json.empty()) {
         Json out{{"tool", "glint cost"}, {"version", GLINT_VERSION}, {"command", command}};
         out.update(table_json(all, axes, data, cpu, scope));
-        io::write_file(options.json, out.dump(1) + "\n");
+        io::write_json(options.json, out);
     }
     if (!options.plots.empty()) {
         const std::vector<CpuPrice> beside = data.cpu ? data.cpu->prices : cpu;
-        io::run_page_script("stills.py", table_json(all, axes, data, beside, scope).dump(), options.plots);
+        io::run_page_script("stills.py", io::json_text(table_json(all, axes, data, beside, scope)), options.plots);
     }
 
     std::vector<std::string> marks;

@@ -15,6 +15,7 @@
 #include <fmt/format.h>
 
 #include "glint/error.hpp"
+#include "io/cleanup.hpp"
 
 namespace glint::io {
 
@@ -73,6 +74,7 @@ void flush_output() {
 }  // namespace
 
 int run(CLI::App& app, int argc, char** argv, const std::function<int()>& command) {
+    clean_up_when_interrupted();
     app.set_version_flag("--version", GLINT_VERSION);
     try {
         int status = success;
@@ -91,6 +93,8 @@ int run(CLI::App& app, int argc, char** argv, const std::function<int()>& comman
     } catch (const std::bad_alloc&) {
         tell(app, "there is not enough memory", argc, argv);
     } catch (const Error& error) {
+        tell(app, error.what(), argc, argv);
+    } catch (const std::filesystem::filesystem_error& error) {
         tell(app, error.what(), argc, argv);
     } catch (const std::system_error&) {  // fmt::print
         tell(app, "standard output cannot be written", argc, argv);

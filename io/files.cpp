@@ -1,17 +1,23 @@
 #include "io/files.hpp"
 
+#include <fcntl.h>
+#include <sys/file.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cctype>
+#include <cerrno>
 #include <chrono>
 #include <cstdio>
-#include <fstream>
+#include <cstring>
+#include <optional>
 #include <system_error>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "glint/error.hpp"
+#include "io/cleanup.hpp"
 
 namespace glint::io {
 
@@ -25,6 +31,61 @@ bool is_device(const std::filesystem::path& path) {
            !std::filesystem::is_directory(there);
 }
 
+/// Writes all of it, and closes the file. Returns what went wrong, or 0.
+int write_and_close(int file, std::string_view text) {
+    int error = 0;
+    while (!text.empty() && error == 0) {
+        const ssize_t written = ::write(file, text.data(), text.size());
+        if (written >= 0) {
+            text.remove_prefix(static_cast<std::size_t>(written));
+        } else if (errno != EINTR) {
+            error = errno;
+        }
+    }
+    if (::close(file) != 0 && error == 0) error = errno;
+    return error;
+}
+
+Error not_written(const std::filesystem::path& path, int error) {
+    return Error(fmt::format("file '{}' cannot be written: {}", path.string(), std::strerror(error)));
+}
+
+/// A new file beside `path`, which replaces it in the end.
+class NewFile {
+public:
+    /// Throws Error.
+    explicit NewFile(const std::filesystem::path& path) : path_(path) {
+        const SignalsWait signals;
+        // The process number keeps two runs apart, the other number two machines that share a disk.
+        for (int i = 0; file_ < 0; ++i) {
+            name_ = fmt::format("{}.{}-{}.tmp", path.string(), getpid(), i);
+            file_ = ::open(name_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+            if (file_ < 0 && (errno != EEXIST || i == 1000)) throw not_written(path, errno);
+        }
+        cleanup_.emplace(Cleanup::Kind::file, name_);
+    }
+    NewFile(const NewFile&) = delete;
+    NewFile& operator=(const NewFile&) = delete;
+    ~NewFile() {
+        if (!done_) ::unlink(name_.c_str());
+    }
+
+    /// Throws Error.
+    void replace(std::string_view text) {
+        int error = write_and_close(file_, text);
+        if (error == 0 && ::rename(name_.c_str(), path_.c_str()) != 0) error = errno;
+        if (error != 0) throw not_written(path_, error);
+        done_ = true;
+    }
+
+private:
+    const std::filesystem::path& path_;
+    std::string name_;
+    int file_ = -1;
+    bool done_ = false;
+    std::optional<Cleanup> cleanup_;
+};
+
 }  // namespace
 
 void make_folder(const std::filesystem::path& folder) {
@@ -34,20 +95,33 @@ void make_folder(const std::filesystem::path& folder) {
 }
 
 void write_file(const std::filesystem::path& path, std::string_view text) {
-    const bool device = is_device(path);
-    // The process number keeps two commands that write the same file apart.
-    std::filesystem::path temporary = path;
-    if (!device) temporary += fmt::format(".{}.tmp", getpid());
-    std::ofstream file(temporary, std::ios::binary);
-    file.write(text.data(), static_cast<std::streamsize>(text.size()));
-    file.close();
-    std::error_code error;
-    if (file && !device) std::filesystem::rename(temporary, path, error);
-    if (!file || error) {
-        std::error_code ignored;
-        if (!device) std::filesystem::remove(temporary, ignored);
-        throw Error(fmt::format("file '{}' cannot be written", path.string()));
+    if (!is_device(path)) {
+        NewFile(path).replace(text);
+        return;
     }
+    const int file = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
+    const int error = file < 0 ? errno : write_and_close(file, text);
+    if (error != 0) throw not_written(path, error);
+}
+
+std::string json_text(const nlohmann::ordered_json& json, int indent) {
+    return json.dump(indent, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+}
+
+void write_json(const std::filesystem::path& path, const nlohmann::ordered_json& json, int indent) {
+    write_file(path, json_text(json, indent));
+}
+
+FolderLock::FolderLock(const std::filesystem::path& file) {
+    if (file.empty()) return;
+    const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : ".";
+    folder_ = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    while (folder_ >= 0 && ::flock(folder_, LOCK_EX) != 0 && errno == EINTR) {
+    }
+}
+
+FolderLock::~FolderLock() {
+    if (folder_ >= 0) ::close(folder_);
 }
 
 void check_writable(const std::filesystem::path& path) {

@@ -38,6 +38,7 @@ std::optional<fs::path> find_on_path(const std::string& program) {
 }
 
 TemporaryFolder::TemporaryFolder() {
+    const SignalsWait signals;
     std::error_code error;
     std::string name = (fs::absolute(fs::temp_directory_path(error)) / "glint-XXXXXX").string();
     if (error || mkdtemp(name.data()) == nullptr) {
@@ -45,6 +46,7 @@ TemporaryFolder::TemporaryFolder() {
                                 error ? error.message() : std::strerror(errno)));
     }
     path_ = name;
+    cleanup_.emplace(Cleanup::Kind::folder, name);
 }
 
 TemporaryFolder::~TemporaryFolder() {
@@ -68,9 +70,17 @@ int run_program(const fs::path& program, const std::vector<std::string>& argumen
     posix_spawn_file_actions_adddup2(&actions, STDOUT_FILENO, STDERR_FILENO);
     posix_spawn_file_actions_addchdir_np(&actions, folder.c_str());
     pid_t child = 0;
-    const int failure = posix_spawn(&child, program.c_str(), &actions, nullptr, argv.data(), environ);
+    std::optional<SignalsWait> signals(std::in_place);
+    posix_spawnattr_t attributes;
+    posix_spawnattr_init(&attributes);
+    posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGMASK);
+    posix_spawnattr_setsigmask(&attributes, &signals->before());
+    const int failure = posix_spawn(&child, program.c_str(), &actions, &attributes, argv.data(), environ);
     posix_spawn_file_actions_destroy(&actions);
+    posix_spawnattr_destroy(&attributes);
     if (failure != 0) throw Error(fmt::format("'{}' cannot be run: {}", program.string(), std::strerror(failure)));
+    const Cleanup cleanup(child);
+    signals.reset();
     if (cpu_seconds) {
         const rlimit limit{*cpu_seconds, *cpu_seconds + 10};
         prlimit(child, RLIMIT_CPU, &limit, nullptr);

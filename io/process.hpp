@@ -6,12 +6,14 @@
 #include <string>
 #include <vector>
 
+#include "io/cleanup.hpp"
+
 namespace glint::io {
 
 /// The program in the folders of PATH, as an absolute path.
 std::optional<std::filesystem::path> find_on_path(const std::string& program);
 
-/// Removed with everything in it at the end of the scope.
+/// Removed with everything in it at the end of the scope, or when a signal ends the program.
 class TemporaryFolder {
 public:
     /// Throws Error.
@@ -23,6 +25,7 @@ public:
 
 private:
     std::filesystem::path path_;
+    std::optional<Cleanup> cleanup_;
 };
 
 /// The exit status, or 128 and more after a signal, as a shell has it. The program works in `folder`; its output and

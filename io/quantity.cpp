@@ -13,12 +13,14 @@ namespace glint::io {
 double parse_quantity(std::string_view text, std::string_view option, std::initializer_list<Unit> units, bool zero) {
     double number = 0.0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-    const bool legal = error == std::errc{} && std::isfinite(number) && (number > 0.0 || (zero && number == 0.0));
+    const auto legal = [&](double x) { return std::isfinite(x) && (x > 0.0 || (zero && number == 0.0)); };
+    const bool good = error == std::errc{} && legal(number);
     const std::string_view rest = text.substr(static_cast<std::size_t>(end - text.data()));
-    if (legal && rest.empty()) return number;
+    if (good && rest.empty()) return number;
     std::string known;
     for (const Unit& unit : units) {
-        if (legal && rest == unit.name) return number * unit.factor / units.begin()->factor;
+        const double in_first = number * unit.factor / units.begin()->factor;
+        if (good && rest == unit.name && legal(in_first)) return in_first;
         known += fmt::format("{}{}", known.empty() ? "" : ", ", unit.name);
     }
     throw Error(fmt::format("{} '{}' is not legal: a number {}{}{}", option, text, zero ? "of 0 or more" : "above 0",

@@ -320,6 +320,7 @@ def main():
     parser.add_argument("report", help="JSON of `glint report`")
     parser.add_argument("-o", "--output", required=True, help="folder for index.html, report.json, the figures and pictures")
     arguments = parser.parse_args()
+    stills.end_tidily()
     try:
         jinja2, plotly = modules()
         text = Path(arguments.report).read_text()

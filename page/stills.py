@@ -10,8 +10,10 @@ they are replaced by the colours of the light or of the dark theme in style.css.
 import argparse
 import json
 import math
+import os
 import re
 import shutil
+import signal
 import subprocess
 import sys
 import tempfile
@@ -327,16 +329,32 @@ def cost_pictures(prices):
     return for_files(svgs)
 
 
+def write_whole(path, text):
+    """Writes a file whole or not at all, also when this program is interrupted."""
+    temporary = path.with_name(f"{path.name}.{os.getpid()}.tmp")
+    try:
+        temporary.write_text(text)
+        os.replace(temporary, path)
+    except BaseException:
+        temporary.unlink(missing_ok=True)
+        raise
+
+
+def end_tidily():
+    """`kill` ends this program as an error does: what is temporary is removed."""
+    signal.signal(signal.SIGTERM, lambda number, _: sys.exit(128 + number))
+
+
 def write(folder, files):
     """Writes all files below a folder, and says so."""
-    try:
-        for name, text in files.items():
-            path = Path(folder) / name
+    for name, text in files.items():
+        path = Path(folder) / name
+        try:
             path.parent.mkdir(parents=True, exist_ok=True)
-            path.write_text(text)
-            print(path)
-    except OSError as error:
-        raise Failure(f"file '{error.filename}' cannot be written: {error.strerror}") from None
+            write_whole(path, text)
+        except OSError as error:
+            raise Failure(f"file '{path}' cannot be written: {error.strerror}") from None
+        print(path)
 
 
 def main():
@@ -344,6 +362,7 @@ def main():
     parser.add_argument("prices", help="JSON of `glint cost --json` for one device")
     parser.add_argument("-o", "--output", required=True, help="folder of the pictures")
     arguments = parser.parse_args()
+    end_tidily()
     try:
         write(arguments.output, cost_pictures(json.loads(Path(arguments.prices).read_text())))
     except Failure as failure:

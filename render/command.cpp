@@ -364,7 +364,7 @@ int run_render(const RenderOptions& options, const std::string& command) {
         io::write_file(file, bytes);
         fmt::print("written: {}\n", file.string());
     }
-    if (!options.json.empty()) io::write_file(options.json, json.dump(1) + "\n");
+    if (!options.json.empty()) io::write_json(options.json, json);
     return failed ? io::check_failed : io::success;
 }
 

@@ -177,7 +177,10 @@ void measure(const Options& options) {
     parallel_tasks(all.size(), options.jobs, io::progress_bar("cost"), [&] {
         return [&](std::size_t i) { points[i] = price(flow, all[i], sources[i], options.rtl, seeds); };
     });
-    if (!options.json.empty()) io::write_file(options.json, merged(options.json, file, tools, points));
+    if (!options.json.empty()) {
+        const io::FolderLock lock(options.json);
+        io::write_file(options.json, merged(options.json, file, tools, points));
+    }
     fmt::print("{}", points_table(points, file));
 }
 

@@ -17,6 +17,7 @@ from pathlib import Path
 from case import BITS, Case, OPTIONS, PROFILES, main
 from arguments_test import Arguments, Stdin  # noqa: F401, chosen by name
 from files_test import Emit, Files, Vectors  # noqa: F401, chosen by name
+from failures_test import Failures  # noqa: F401, chosen by name
 from choose_test import Choose, Cost, Prices  # noqa: F401, chosen by name
 from report_test import Report, Study  # noqa: F401, chosen by name
 from shards_test import Shards  # noqa: F401, chosen by name

@@ -1,15 +1,13 @@
-// What holds of every input of a reader: a result that the renderer can take, or one line.
+// What holds of every input of a parser: a usable result, or one line.
 #pragma once
 
-#include <algorithm>
-#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "glint/error.hpp"
-#include "wavefront.hpp"
 
 namespace glint::fuzz {
 
@@ -19,46 +17,34 @@ inline void require(bool holds, const char* what) {
     std::abort();
 }
 
-inline void check_line(const std::string& line) {
-    require(!line.empty() && line.find('\n') == line.npos && line.find('\r') == line.npos, "a message is one line");
-    require(line.size() < 2000, "a message is short");
+inline void check_line(std::string_view line) {
+    require(!line.empty() && line.find_first_of("\n\r") == line.npos, "a message is one line");
+    require(line.size() < 2100, "a message is short");
 }
 
-inline void check_material(const render::Material& m) {
-    for (const render::Vec3& k : {m.emission, m.ambient, m.diffuse, m.specular}) {
-        for (const double x : {k.x, k.y, k.z}) require(x >= 0.0 && x <= 1.0, "colours are 0 .. 1");
+/// Runs a parser and what is done with its result. It may refuse the input, by an Error and by nothing else.
+void may_refuse(auto parse) {
+    try {
+        parse();
+    } catch (const Error& error) {
+        require(error.what()[0] != '\0', "a refusal says something");
     }
-    require(m.exponent >= 1 && m.exponent <= 1023, "Ns");
-    require(m.roughness >= 0.0 && m.roughness <= 1.0, "Pr");
-    require(m.anisotropy >= 0.0 && m.anisotropy <= 0.99, "aniso");
-    require(m.index >= 1.0 && m.index <= 10.0, "Ni");
 }
 
-inline void check_triangles(const std::vector<render::Triangle>& triangles, std::size_t materials) {
-    require(!triangles.empty(), "there are triangles");
-    for (const render::Triangle& triangle : triangles) {
-        require(triangle.material < materials, "the material is there");
-        for (const render::Corner& corner : triangle.corners) {
-            require(std::isfinite(render::length(corner.position)), "positions are finite");
-            const double length = render::length(corner.normal);
-            require(length == 0.0 || std::abs(length - 1.0) < 1e-6, "normals have length 1");
-            for (const double x : {corner.colour.x, corner.colour.y, corner.colour.z}) {
-                require(x >= 0.0 && x <= 1.0, "colours of vertices are 0 .. 1");
-            }
+/// "a|b" -> a; b. There is always one.
+inline std::vector<std::string> split(const std::string& text, char separator) {
+    std::vector<std::string> out{""};
+    for (const char c : text) {
+        if (c == separator) {
+            out.emplace_back();
+        } else {
+            out.back() += c;
         }
     }
+    return out;
 }
 
-/// Runs a reader; an Error is one line.
-int run(auto reader) {
-    std::vector<std::string> warnings;
-    try {
-        reader(warnings);
-    } catch (const Error& error) {
-        check_line(error.what());
-    }
-    for (const std::string& warning : warnings) check_line(warning);
-    return 0;
-}
+/// Inputs of several files: between two stands a record separator, which no legal JSON contains.
+inline constexpr char separator = '\x1e';
 
 }  // namespace glint::fuzz

@@ -1,13 +1,17 @@
 // A text as a scene file, beside the model a.obj.
 #include "scene.hpp"
-#include "check.hpp"
+#include "render_checks.hpp"
+#include "targets.hpp"
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-    return glint::fuzz::run([&](std::vector<std::string>& warnings) {
-        const std::string text(reinterpret_cast<const char*>(data), size);
-        const glint::render::Scene scene = glint::render::parse_scene(text, GLINT_FUZZ_FOLDER "/a.json", 1.5);
+namespace glint::fuzz {
+
+static const Registration scene("scene", [](const std::string& text) {
+    read([&](std::vector<std::string>& warnings) {
+        const render::Scene scene = render::parse_scene(text, GLINT_FUZZ_FOLDER "/a.json", 1.5);
         warnings = scene.warnings;
-        glint::fuzz::check_triangles(scene.triangles, scene.materials.size());
-        for (const auto& material : scene.materials) glint::fuzz::check_material(material);
+        check_triangles(scene.triangles, scene.materials.size());
+        for (const auto& material : scene.materials) check_material(material);
     });
-}
+});
+
+}  // namespace glint::fuzz

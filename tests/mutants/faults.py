@@ -19,7 +19,7 @@ UNDIVIDED = "cubic cosine_power quadratic taylor blinn_phong spherical_gaussian 
 EFFECTS = ("ambient lambert tint cosine oren_nayar ward cook_torrance cook_torrance_modified phong_bps blinn_phong_bps "
            "shade_bps").split()
 
-LATER = ["bps_vectors"]
+LATER = "bps_vectors blinn_phong_vectors lobe_select".split()
 
 
 class Failed(Exception):
