@@ -86,7 +86,7 @@ constexpr std::array prices{
     Price{&nexus, "MULT36X36", {.dsps = 4}},
     Price{&nexus, "DPR16X4", {.luts = 6}},  // as on ECP5
     Price{&nexus, "PDP*", {.brams = 1}},
-    Price{&nexus, "DP16K_MODE", {.brams = 1}},
+    Price{&nexus, "DP16K*", {.brams = 1}},
     Price{&nexus, "IB", {}},
     Price{&nexus, "OB", {}},
     Price{&nexus, "VHI", {}},
@@ -100,6 +100,7 @@ constexpr std::array prices{
     Price{&gowin, "pROM*", {.brams = 1}},
     Price{&gowin, "SP*", {.brams = 1}},
     Price{&gowin, "SDP*", {.brams = 1}},
+    Price{&gowin, "RAM16SDP*", {.luts = 6}},  // four hold the bits, two more drive their write port
     Price{&gowin, "IBUF", {}},
     Price{&gowin, "OBUF", {}},
     Price{&gowin, "GND", {}},

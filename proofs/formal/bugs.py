@@ -129,6 +129,17 @@ FIFO = [
     ("output_runs_on", "stable", "read_q + {{LOG_DEPTH{1'b0}}, pop_i};", "read_q + {{LOG_DEPTH{1'b0}}, valid_o};"),
     ("not_reset", "silent_in_reset", "written_q <= {(LOG_DEPTH + 1) {1'b0}};", "written_q <= write_q;"),
 ]
+FIFO_ECP5 = [
+    ("pushed_and_shown", "in_turn", "more = write_q != next_q;", "more = write_q != next_q || push_i;"),
+    ("shown_late", "same_clocks", "take = pop_i | ~valid_q;", "take = pop_i | ~valid_q & ~push_i;"),
+    ("pop_ignored", "nothing_invented", "valid_q <= more;", "valid_q <= more | valid_q;"),
+    ("push_forgotten", "same_clocks", "{{LOG_DEPTH{1'b0}}, push_i};", "{{LOG_DEPTH{1'b0}}, push_i & ~pop_i};"),
+    ("never_shown", "valid_does_not_wait", "valid_q <= more;", "valid_q <= more & valid_q;"),
+    ("written_over", "in_turn", "memory[write_q[LOG_DEPTH-1:0]] <= data_i;", "memory[{write_q[LOG_DEPTH-1:1], 1'b0}] <= data_i;"),
+    ("next_again", "in_turn", "next_q  <= next_q + {{LOG_DEPTH{1'b0}}, more};", "next_q  <= next_q + {{LOG_DEPTH{1'b0}}, more & valid_q};"),
+    ("output_runs_on", "stable", "if (take) data_q <= memory", "data_q <= memory"),
+    ("not_reset", "silent_in_reset", "            valid_q <= 1'b0;\n", ""),
+]
 DELAY = [
     ("stage_skipped", "comes_out", "data_q <= stage[i-1].data_q;", "data_q <= stage[0].data_q;"),
     ("enable_ignored", "holds", "if (enable_i) data_q <= stage[i-1].data_q;", "data_q <= stage[i-1].data_q;"),

@@ -35,9 +35,13 @@ class UsageError(Exception):
     """What was asked cannot be done: one line, exit status 2."""
 
 
-def needed(*tops):
-    """The modules and all that they instantiate, directly or not."""
-    return {path.stem: path.read_text() for top in tops for path in MODULES[top]}
+def needed(*tops, family=""):
+    """The modules and all that they instantiate, directly or not; where the family has a file of its own, that one."""
+    files = {path.stem: path for top in tops for path in MODULES[top]}
+    if family:
+        own = {name: path.parent / family / path.name for name, path in files.items()}
+        files.update({name: path for name, path in own.items() if path.is_file()})
+    return {name: path.read_text() for name, path in files.items()}
 
 
 def around_lobe(module):
@@ -109,7 +113,7 @@ def write_model(task, folder):
         text, unit, numbers = around_lobe(task.top)
         modules = {**needed("glint_effect_highlight", unit), task.top: text}
     else:
-        modules = needed(task.top)
+        modules = needed(task.top, family=task.family)
     if task.kind == "pixel":  # the dot products: any number
         text = modules["glint_frame"]
         head = text[:text.index(");\n", text.index("module glint_frame")) + 3]
@@ -127,7 +131,7 @@ def write_model(task, folder):
             added += declared_result(task.top, {} if task.kind == "highlight" else numbers)
     modules[task.top] = modules[task.top].replace("endmodule", f"{added}endmodule")
     for name, text in modules.items():
-        properties = HERE / f"{task.kind if name == task.top and task.kind in KINDS else name}.vh"
+        properties = HERE / f"{task.kind if name == task.top and task.kind in KINDS else name}{task.family and '_' + task.family}.vh"
         end = text.rindex("endmodule")
         text = text[:end] + (properties.read_text() if properties.exists() else "") + text[end:]
         (folder / f"{name}.v").write_text(text)

@@ -8,6 +8,7 @@ Exit status: 0 if every check held, 77 if the tools here are not those of the co
 
 import json
 import os
+import re
 import shutil
 
 from case import Case, ROOT, main
@@ -360,6 +361,42 @@ class Committed(CommittedFiles):
                       f"{part} is no less than {whole}")
         self.equal({price["interval"] for price in points.values()}, {1})
         self.again(committed, points, EFFECT_NAMES, ["--effect", "lambert"], "hx8k")
+
+
+class Known(Cost):
+    """Each device is in the table of docs/cost.md, has prices, and those who read the prices know it."""
+
+    def test_every_device(self):
+        refused = self.run_tool("cost", "--fpga", "--device", "none", *RTL)
+        devices = re.fullmatch(r"glint: device 'none' is not known: (.*)\n", refused.stderr)[1].split(", ")
+        text = (ROOT / "docs/cost.md").read_text()
+        self.equal(re.findall(r"^\| `([\w-]+)` \|", text[text.index("| device |"):text.index("## ")], re.M), devices, "the table of docs/cost.md")
+        named = re.search(r"--device TEXT +(.*?)\n  --", self.good("cost", "--help"), re.S)[1].replace("ecp5-25k/85k", "ecp5-25k, ecp5-85k")
+        self.equal([name for name in re.findall(r"[\w-]+", named) if name in devices], devices, "--help")
+
+        files = ["fpga", "fpga-yowasp", "effects", "shell"]
+        points = {file: json.loads((ROOT / f"cost/data/{file}.json").read_text())["points"] for file in files}
+        self.equal({point["device"] for some in points.values() for point in some}, set(devices), "prices")
+        priced = {point["device"] for file in files[:2] for point in points[file]}  # of lobes
+        for device in devices:
+            data = ("--data", ROOT / "cost/data", "--device", device)
+            if device not in priced:
+                self.refused(device, "choose", *data)
+                continue
+            table = self.good("cost", *data)
+            self.true(any(device in line.split() for line in table.splitlines()), f"glint cost: {device}")
+            chosen = self.run_tool("choose", *data, "--n", "8:1000", "--minimize", "luts")
+            self.equal(chosen.returncode, 0, f"glint choose --device {device}: {chosen.stderr}")
+            self.true(device in chosen.stdout, f"glint choose: {device}")
+        # --check reads each of them: a hash that is wrong is found on every device.
+        for file in files[:2]:
+            first = {point["device"]: {**point, "hash": "0" * 16} for point in reversed(points[file])}
+            tools = json.loads((ROOT / f"cost/data/{file}.json").read_text())["tools"]
+            (self.folder / "x.json").write_text(json.dumps({"format": "glint-cost-fpga-1", "tools": tools, "points": [*first.values()]}))
+            stale = self.run_tool("cost", "--check", "--json", "x.json", *RTL)
+            self.equal(stale.returncode, 1)
+            lines = [line for line in stale.stdout.splitlines() if line.startswith("of other Verilog: ")]
+            self.equal(sorted(d for d in first for line in lines if d in line.split()), sorted(first), "--check")
 
 
 class Devices(CommittedFiles):
