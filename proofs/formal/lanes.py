@@ -7,6 +7,8 @@ handshake that depends on a number, of which each lane has another, does not pas
 
 import re
 
+from tasks import flatten
+
 LANES = 3
 
 
@@ -63,7 +65,7 @@ def write_model(task, folder, modules, unit, run):
     copy.write_text(modules[task.top][:end] + text + modules[task.top][end:])
     kind = "assert" if task.method == "cover" else "cover"
     (folder / "model.ys").write_text(
-        f"{read(task)}proc\nflatten\ndelete t:${kind}\n"
+        f"{read(task)}proc\n{flatten()}delete t:${kind}\n"
         "delete -output o:*\nopt_expr\nopt_clean\n"  # what no property looks at goes
         "setundef -undriven -anyseq\nopt -full\ndffunmap\nopt_clean\n"
         "check -assert\nwrite_rtlil model.il\nwrite_smt2 -wires model.smt2\n")

@@ -10,6 +10,8 @@ import json
 import pathlib
 import re
 
+from tasks import flatten
+
 HERE = pathlib.Path(__file__).resolve().parent
 PRODUCT = "always @(posedge clk_i) if (enable_i) product_q <= a * slice;"  # in glint_multiplier
 ROW = "wire [Y_W+1:0] difference = {shifted, 1'b1} + {1'b1, complement, 1'b1};"  # in glint_divider_restoring
@@ -171,7 +173,7 @@ def write_model(task, folder, unit, modules, run):
     (folder / f"{task.top}.v").write_text(modules[task.top][:end] + beside(task, unit, netlist, found) + modules[task.top][end:])
     (folder / "glint_scoreboard.v").write_text((HERE / "glint_scoreboard.v").read_text())
     (folder / "model.ys").write_text(
-        f"read_verilog -formal -defer -D SYNTHESIS *.v\nhierarchy -check -top {task.top} {chosen}\nproc -norom\nflatten\n"
+        f"read_verilog -formal -defer -D SYNTHESIS *.v\nhierarchy -check -top {task.top} {chosen}\nproc -norom\n{flatten()}"
         f"delete t:${'assert' if task.method == 'cover' else 'cover'}\nsetundef -undriven -anyseq\nopt -full\ndffunmap\nopt_clean\n"
         "check -assert\nwrite_rtlil model.il\nwrite_smt2 -wires model.smt2\n")
     run(["yosys", "-q", "-l", "yosys.log", "model.ys"], folder, "Yosys")

@@ -23,7 +23,7 @@ import time
 import axis
 import lanes
 import own
-from tasks import EFFECT_NUMBERS, KINDS, MODULES, NUMBERS, UNITS, WRAPPER_PARAMETERS, in_stream, tasks, word_lengths
+from tasks import EFFECT_NUMBERS, KINDS, MODULES, NUMBERS, UNITS, WRAPPER_PARAMETERS, flatten, in_stream, tasks, word_lengths
 
 HERE = pathlib.Path(__file__).resolve().parent
 MOST_SECONDS = 120  # of processor time, for one way of asking the solver
@@ -154,7 +154,7 @@ def write_model(task, folder):
         script += (f"select -set numbers {' '.join(f't:*glint_{name}*' for name in names)} t:$mul t:$shr\n"
                    "select -set frame *glint_ports*/* *glint_stream*/*\ncutpoint @numbers @frame %d\n")
     # What nothing drives, such as the entries of tables beside a unit, may be anything: before `opt` chooses a value.
-    script += "proc\nflatten\nsetundef -undriven -anyseq\nopt -full\ndffunmap\nopt_clean\n"
+    script += f"proc\n{flatten()}setundef -undriven -anyseq\nopt -full\ndffunmap\nopt_clean\n"
     script += "delete t:$assert\n" if task.method == "cover" else "delete t:$cover\n"
     script += "check -assert\nwrite_rtlil model.il\nwrite_smt2 -wires model.smt2\n"
     (folder / "model.ys").write_text(script)
@@ -271,7 +271,7 @@ def prove(task, folder):
         reached = len(re.findall(r"Reached cover statement", output))
         if not passed or reached != count:
             raise RuntimeError(f"reached {reached} of {count} covers in {task.depth} clocks: {failed_property(output)}")
-        steps = [int(n) for n in re.findall(r"Reached cover statement at \S+ in step (\d+)", output)]
+        steps = [int(n) for n in re.findall(r"Reached cover statement .*?in step (\d+)", output)]
         task.result = f"{count} reached, the last at clock {max(steps)}"
     elif task.method == "bug":
         passed, output = solve(task, folder, "-t", str(task.depth))

@@ -1,12 +1,23 @@
 """What is proven: the tasks of run.py."""
 
+import functools
 import pathlib
+import subprocess
 import sys
 from dataclasses import dataclass, field
 
 sys.path.append(str(pathlib.Path(__file__).resolve().parents[2] / "tests/rtl"))
 import bugs  # noqa: E402
 import units  # noqa: E402
+
+
+@functools.cache
+def flatten():
+    """Yosys' commands from modules to one, with its properties in the cells that write_smt2 knows. Newer ones (0.52 of
+    Debian 13; not 0.23 of Debian 12) keep a property in a cell `$check` until they are told to lower it."""
+    done = subprocess.run(["yosys", "-Q", "-p", "help chformal"], stdout=subprocess.PIPE, text=True, check=False)
+    return "flatten\n" + ("async2sync\nchformal -lower\n" if "-lower" in done.stdout else "")
+
 
 UNITS = units.units()
 MODULES = units.modules()
