@@ -55,6 +55,7 @@ install_missing() {
         need iverilog command_there iverilog
         need ghdl command_there ghdl
         need yosys command_there yosys
+        need yosys-dev file_there '/usr/share/yosys/include/backends/cxxrtl'  # the headers of CXXRTL
         need nextpnr-ice40 command_there nextpnr-ice40
         need fpga-icestorm command_there icepack
         need z3 command_there z3

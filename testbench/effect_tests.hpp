@@ -1,7 +1,7 @@
 // The tests of the unit of an effect. Each also holds the golden model against the real function.
 //
 // Test::stream sends the hard cases, the products of the corners of all inputs, then Request::count random inputs;
-// Test::illegal every illegal code of every input, with the others random.
+// Test::illegal every illegal code of every input, with the others random; a port with few of them gets each again.
 #pragma once
 
 #include <cstdint>

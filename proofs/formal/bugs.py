@@ -47,6 +47,17 @@ SHADE = {
         ("light_of_another", "sums_right", "i_q <= i;", "i_q <= i_i;"),
     ],
 }
+OWN = {
+    "glint_quadratic": [
+        ("runs_on", "own_input", ") delay_cosine (\n        .clk_i   (clk_i),\n        .enable_i(advance),",
+         ") delay_cosine (\n        .clk_i   (clk_i),\n        .enable_i(1'b1),"),
+        ("of_the_one_before", "own_input", ".STAGES(2 * MULTIPLIER_STAGES + 1)", ".STAGES(2 * MULTIPLIER_STAGES + 2)"),
+        ("of_the_next", "own_input", ".b_i      (distance_1),", ".b_i      (distance),"),
+    ],
+    "glint_ports": [
+        ("clamped_with_another", "own_input", ".data_i  ({above | below | none, tag_i}),", ".data_i  ({above | below | none | n_q[0], tag_i}),"),
+    ],
+}
 LOBE_SELECT = [
     ("one_too_many", "capacity", "rst_ni & ~held_q[LOG_DEPTH];", "rst_ni;"),
     ("line_stands", "right", "line_q << PLACE_W | joining", "line_q | joining"),

@@ -22,6 +22,7 @@ import time
 
 import axis
 import lanes
+import own
 from tasks import EFFECT_NUMBERS, KINDS, MODULES, NUMBERS, UNITS, WRAPPER_PARAMETERS, in_stream, tasks, word_lengths
 
 HERE = pathlib.Path(__file__).resolve().parent
@@ -78,6 +79,16 @@ def write_lanes(task, folder):
         module, text, instead = task.edit
         modules[module] = axis.edited(module, modules[module], text, instead)
     lanes.write_model(task, folder, modules, unit, run)
+
+
+def write_own(task, folder):
+    """The model of the proof that a result belongs to its own input."""
+    unit = UNITS[task.top]
+    modules = {path.stem: path.read_text() for path in unit["files"]}
+    if task.edit:
+        module, text, instead = task.edit
+        modules[module] = axis.edited(module, modules[module], text, instead)
+    own.write_model(task, folder, unit, modules, run)
 
 
 def write_model(task, folder):
@@ -148,7 +159,7 @@ def write_model(task, folder):
 
 def prepare(task, folder):
     """Writes the copies of the modules and runs Yosys; the result is model.smt2."""
-    (write_lanes if task.kind == "lanes" else write_model)(task, folder)
+    {"lanes": write_lanes, "own": write_own}.get(task.kind, write_model)(task, folder)
     if task.only:
         sets = {}
         for name, pattern in (("kept", task.only), ("given", task.given)):

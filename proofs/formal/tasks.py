@@ -150,6 +150,7 @@ def tasks():
     out += of_lobe_select()
     out += of_pixel()
     out += of_lanes()
+    out += of_own()
     for effect in EFFECTS:
         out += of_axis(effect)
     for effect in (e for e in EFFECTS if e not in ("shade", "lobe_select", "pixel")):
@@ -184,6 +185,14 @@ def of_lanes():
             for module, table in ((top, bugs.LANES), (name, bugs.LANES_UNIT), ("glint_skid", bugs.LANES_SKID)):
                 out += planted(group, top, "lanes", {}, 16, module, table)
     return out
+
+
+def of_own():
+    """A lobe's `y` and `clamped` come from its own input alone."""
+    top, kind, parameters = "glint_quadratic_p8", "own", {"TAG_W": 1}
+    bugged = [task for module, table in bugs.OWN.items() for task in planted("own.quadratic", top, kind, parameters, 12, module, table)]
+    return [*bugged, Task("own.quadratic.cover", "not vacuous", top, kind, parameters, "cover", 14)] + [Task(f"own.{lobe}.p8", "y and clamped belong to their own input", f"glint_{lobe}_p8", "own", {"TAG_W": 1}, "induction", 1)
+            for lobe in LOBES if not in_stream(f"glint_{lobe}")]  # own.vh stands on glint_ports
 
 
 def of_shade():

@@ -19,6 +19,8 @@ UNDIVIDED = "cubic cosine_power quadratic taylor blinn_phong spherical_gaussian 
 EFFECTS = ("ambient lambert tint cosine oren_nayar ward cook_torrance cook_torrance_modified phong_bps blinn_phong_bps "
            "shade_bps").split()
 
+LATER = ["bps_vectors"]
+
 
 class Failed(Exception):
     """A tool that failed; the text says which and why."""
@@ -33,7 +35,8 @@ def plan():
     units |= {"cayley-iterative": ("glint_cayley_p8", "iterative"), "taylor-m2": ("glint_taylor_p8", "pipelined:m2"),
               "bps-axis": ("glint_bps_axis_p12", "restoring")}
     units |= {effect: (f"glint_effect_{effect}_p8", "default") for effect in EFFECTS}
-    return units | {"tint-axis": ("glint_effect_tint_axis_p12", "default")}
+    units["tint-axis"] = ("glint_effect_tint_axis_p12", "default")
+    return units | {effect: (f"glint_effect_{effect}_p8", "default") for effect in LATER}
 
 
 def digest(path):
@@ -257,8 +260,7 @@ opt_clean
         """The library of a unit from Verilog; `prepare` is done before its first clock."""
         run(ROOT / "testbench/verilate.sh", self.folder / "cpp", "Vunit", "--top-module", self.module, "-Wno-fatal",
             "-Wno-lint", "-Wno-UNOPTFLAT", *verilog, cwd=self.folder)
-        cpp = self.folder / "cpp"
-        (cpp / "mutated.inc").write_text(f"""#include "Vunit.all.inc"
+        return self.link(f"""#include "Vunit.all.inc"
 namespace {{
 int chosen_mutant = 0;
 class Mutated : public Vunit {{
@@ -266,13 +268,21 @@ public:
     explicit Mutated(VerilatedContext* context) : Vunit(context) {{ {prepare} }}
 }};
 }}  // namespace
-extern "C" void glint_choose_mutant(int number);
+""")
+
+    def link(self, model, includes=()):
+        """The library of a unit from C++ with the class Mutated, which looks like a Verilated model."""
+        cpp = self.folder / "cpp"
+        cpp.mkdir(exist_ok=True)
+        chosen = "" if "chosen_mutant" in model else "namespace { int chosen_mutant = 0; }\n"
+        (cpp / "mutated.inc").write_text(f"""{model}{chosen}extern "C" void glint_choose_mutant(int number);
 extern "C" void glint_choose_mutant(int number) {{ chosen_mutant = number; }}
 """)
         tools = json.loads((self.build / "mutants.json").read_text())
         command = [tools["launcher"]] if tools["launcher"] else []
         command += [tools["compiler"], "-std=c++20", "-O1", "-w", "-fPIC", "-shared", "-I", cpp, "-DGLINT_LOADED",
                     "-DGLINT_MODEL=Mutated", '-DGLINT_VERILATED="mutated.inc"', *self.pins()]
+        command += [f"-I{path}" for path in includes]
         command += [f"-I{path}" for path in dict.fromkeys(tools["includes"].split(";")) if path != "/usr/include"]
         command += [f"-D{name}" for name in tools["definitions"].split(";")]
         library = self.folder / "unit.so"
