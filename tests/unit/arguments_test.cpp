@@ -49,7 +49,8 @@ TEST_CASE("JSON: numbers that are none, lists of another length, and how a refus
                               {"large", {4294967296}},
                               {"forty", std::string(38, 'a')},
                               {"more", std::string(39, 'a')}};
-    const JsonNode node(json, "file");
+    const std::string file = "file";
+    const JsonNode node(json, file);
     CHECK(node.number("none") == 0.0);
     CHECK(refusal([&] { node.number("text"); }) == "file: text \"1\" is not legal: a number, 0 or more");
     CHECK(refusal([&] { node.number("less"); }) == "file: less -0.5 is not legal: a number, 0 or more");
