@@ -3,12 +3,14 @@
 
     cpp_faults.py --tree /tmp/faulty              what the record does not hold yet, or holds of other files; may be stopped
     cpp_faults.py --tree /tmp/faulty --longest 1  the same with tests of up to a second; a later run tries the rest longer
+    cpp_faults.py --tree /tmp/faulty --changed    files that changed: are as many faults found as before?
     cpp_faults.py --check                         counts the record; fails for a survivor or a file that has changed
 
 libclang (python3-clang-14) finds the operators, constants, conditions and statements of FILES. Some of each file are chosen and all
 planted in one copy of the sources, each behind a comparison with the variable GLINT_PLANTED (planted.hpp). A run without
 a fault tells which tests pass which place; then each fault meets those tests, the shortest first, until one fails.
-cpp_faults.jsonl, the record, has a line for each. Exit status: 0 all found or equivalent, 1 not, 2 bad arguments.
+cpp_faults.jsonl, the record, has a line for each. A fault is known by its line's text; when its file changes, it meets the
+test again that found it. Exit status: 0 all found or equivalent, 1 not, 2 bad arguments.
 """
 
 import argparse
@@ -17,17 +19,15 @@ import json
 import os
 import re
 import resource
-import shlex
 import shutil
 import subprocess
 import sys
 import tempfile
-import time
 from collections import Counter
 from pathlib import Path
 
-HERE = Path(__file__).resolve().parent
-ROOT = HERE.parents[1]
+from cpp_places import HERE, ROOT, Failed, candidates, digest, key, planted, run
+
 RECORD = HERE / "cpp_faults.jsonl"
 # What is planted, by kind of code. A fault for so many lines.
 FILES = {
@@ -45,27 +45,14 @@ FILES = {
 # No warnings, and the kernels' test ends with the first wrong result.
 CHANGES = (("tests/hls/CMakeLists.txt", b"-Wall -Wextra -Wconversion -Werror", b"-w"),
            ("tests/hls/kernel.cpp", b"if (++mismatches_ > 10) return;", b"if (++mismatches_ != 0) std::_Exit(1);"))
-TARGETS = ("glint-cli glint-unit-tests glint-render-tests glint-cost-tests hls-kernel-g++ hls-divide-adding hls-divide-radix4 "
+# What has no faults is compiled as everywhere, so that ccache may know it; the rest quickly, without warnings.
+LAUNCHER = """for source; do :; done
+if grep -qs planted.hpp "$source" $(sed -n 's/^#include "\\(.*\\)"$/\\1/p' "$source"); then set -- "$@" -w -O1; fi
+exec {} "$@"
+"""
+TARGETS = ("glint-cli glint-unit-tests glint-word-tests glint-render-tests glint-cost-tests hls-kernel-g++ hls-divide-adding hls-divide-radix4 "
            "hls-divide-reciprocal hls-divide-restoring").split()
 LABELS = {"unit", "oracle", "cli", "cost", "render", "hls"}
-OPERATORS = {"+": "-", "-": "+", "*": "+", "/": "*", "%": "/", "<<": ">>", ">>": "<<", "<": "<=", "<=": "<", ">": ">=", ">=": ">",
-             "==": "!=", "!=": "==", "&": "|", "|": "&", "^": "&", "&&": "||", "||": "&&", "+=": "-=", "-=": "+=", "|=": "&="}
-
-
-class Failed(Exception):
-    """A tool that failed; the text says which and why."""
-
-
-def digest(path):
-    return hashlib.sha256(path.read_bytes()).hexdigest()[:16]
-
-
-def run(*command, **more):
-    return subprocess.run([str(word) for word in command], capture_output=True, text=True, **more)
-
-
-def order(text):
-    return hashlib.sha256(text.encode()).hexdigest()
 
 
 def files():
@@ -78,148 +65,6 @@ def files():
     return out
 
 
-# ---- the faults of a file ----------------------------------------------------------------------------------------------
-
-class Places:
-    """The faults that a file can have: offset, length, what the text becomes."""
-
-    def __init__(self, path, arguments, source):
-        import clang.cindex as clang
-        self.kinds, self.types, self.path, self.text = clang.CursorKind, clang.TypeKind, path, path.read_bytes()
-        unit = clang.Index.create().parse(str(source), args=arguments)
-        wrong = [str(d) for d in unit.diagnostics if d.severity >= 3]
-        if wrong:
-            raise Failed(f"{path}: libclang: {wrong[0]}")
-        self.found = []
-        self.visit(unit.cursor, None)
-
-    def own(self, cursor):
-        return cursor.location.file is not None and os.path.realpath(cursor.location.file.name) == str(self.path)
-
-    def part(self, start, end):
-        return self.text[start:end].decode()
-
-    def number(self, cursor):
-        return self.types.BOOL.value <= cursor.type.get_canonical().kind.value <= self.types.LONGDOUBLE.value
-
-    def in_type(self, start):
-        """In an argument of a template: `name<` is open, which the compiler computes. A comparison has spaces around it."""
-        closed, within = 0, 0  # `>` and `)` that are still to be opened
-        for at in range(start - 1, 2, -1):
-            sign, before = self.text[at:at + 1], self.text[at - 2:at]
-            if sign in b";{}":
-                return False
-            if sign == b">" and before[1:] not in (b" ", b"-") and before != b" >":
-                closed += 1
-            if sign == b"<" and re.match(rb"\w", before[1:]):
-                if closed == 0 and within == 0:
-                    return True
-                closed = max(0, closed - 1)
-            within = max(0, within + {b")": 1, b"(": -1}.get(sign, 0))
-        return False
-
-    def add(self, cursor, what, start, end, alternative):
-        if self.in_type(start):
-            return
-        self.found.append({"line": cursor.extent.start.line, "start": start, "end": end, "mutation": what, "new": alternative})
-
-    def visit(self, cursor, parent):
-        k = self.kinds
-        if cursor.kind in (k.STATIC_ASSERT, k.ENUM_DECL, k.TEMPLATE_TYPE_PARAMETER, k.TEMPLATE_NON_TYPE_PARAMETER):
-            return
-        start, end = cursor.extent.start.offset, cursor.extent.end.offset
-        children = list(cursor.get_children())
-        if parent is None or self.own(cursor):
-            if cursor.kind == k.VAR_DECL and "constexpr" in self.part(start, end).split("=")[0]:
-                return
-            if parent is not None:
-                self.look(cursor, parent, children, start, end)
-            for i, child in enumerate(children):
-                if not (cursor.kind == k.CASE_STMT and i == 0):
-                    self.visit(child, cursor)
-        elif cursor.kind in (k.NAMESPACE, k.LINKAGE_SPEC):
-            for child in children:
-                self.visit(child, cursor)
-
-    def look(self, cursor, parent, children, start, end):
-        k, text = self.kinds, self.part(start, end)
-        if cursor.kind in (k.BINARY_OPERATOR, k.COMPOUND_ASSIGNMENT_OPERATOR) and len(children) == 2 and all(map(self.number, children)):
-            left, right = children[0].extent.end.offset, children[1].extent.start.offset
-            old = self.part(left, right).strip()
-            if old in OPERATORS:
-                new = self.part(start, left) + f" {OPERATORS[old]} " + self.part(right, end)
-                self.add(cursor, f"{old} becomes {OPERATORS[old]}", start, end, new)
-        elif cursor.kind == k.INTEGER_LITERAL and re.fullmatch(r"(0x[0-9a-fA-F']+|[\d']+)[uUlL]*", text):
-            sign = "+-"[int(order(f"{start}"), 16) % 2] if not re.fullmatch(r"0[uUlL]*", text) else "+"
-            self.add(cursor, f"{text} {sign} 1", start, end, f"{text} {sign} 1")
-        elif cursor.kind == k.FLOATING_LITERAL and re.fullmatch(r"[\d.'e+-]+", text):
-            self.add(cursor, f"{text} * 1.25 + 0.01", start, end, f"{text} * 1.25 + 0.01")
-        elif cursor.kind == k.UNARY_OPERATOR and text and text[0] in "-!~" and self.number(cursor):
-            self.add(cursor, f"without {text[0]}", start, end, True if text[0] == "!" else text[1:])
-        elif cursor.kind == k.IF_STMT and children and not text.startswith("if constexpr"):
-            condition = children[0]
-            if condition.kind != k.BINARY_OPERATOR and self.number(condition):
-                a, b = condition.extent.start.offset, condition.extent.end.offset
-                self.add(cursor, "condition negated", a, b, True)
-        if parent.kind in (k.COMPOUND_STMT, k.IF_STMT, k.FOR_STMT) and self.part(end, end + 1) == ";" and \
-                cursor.kind in (k.CALL_EXPR, k.BINARY_OPERATOR, k.COMPOUND_ASSIGNMENT_OPERATOR, k.CXX_THROW_EXPR, k.CONTINUE_STMT,
-                                k.BREAK_STMT, k.UNEXPOSED_EXPR) and not re.match(r"(fmt::)?print\(", text) and \
-                (parent.kind == k.COMPOUND_STMT or self.part(parent.extent.start.offset, start).rstrip().endswith((")", "else"))):
-            self.add(cursor, "statement deleted", start, end, None)
-
-
-def candidates(tree, commands, name):
-    """Some faults of a file, those of different lines first."""
-    path = ROOT / name
-    if name.startswith("hls/"):
-        unit = ROOT / f"hls/generated/{path.stem}_p8.cpp"
-        source = unit if unit.exists() else next(u for u in sorted((ROOT / "hls/generated").glob("*_p8.cpp")) if includes(u, path.name))
-        arguments = ["-std=c++14", f"-I{ROOT}/hls/generated"]
-    else:
-        source, words = path, shlex.split(command(commands, name))
-        arguments = [word for i, word in enumerate(words) if re.match("-(I|D|std|isystem)", word) or words[i - 1] == "-isystem"]
-    places = Places(path, arguments, source).found
-    lines = {}
-    for place in sorted(places, key=lambda p: order(f"{name} {p['mutation']} {p['start']}")):
-        place["turn"] = lines[place["line"]] = lines.get(place["line"], 0) + 1
-    return sorted(places, key=lambda p: (p["turn"], order(f"{name} {p['start']} {p['mutation']}")))
-
-
-def command(commands, name):
-    """How a file is compiled; one that is compiled together with others (UNITY_BUILD), as they are."""
-    folders = [str(folder) for folder in Path(name).parents][:-1]
-    together = [c for folder in folders for file, c in commands.items() if file.startswith(f"build/{folder}/") and "Unity" in file]
-    return commands[name] if name in commands else together[0]
-
-
-def includes(unit, header):
-    return header in run("g++", "-std=c++14", f"-I{ROOT}/hls/generated", "-MM", unit).stdout
-
-
-def planted(text, faults):
-    """The text with the faults in it; of nested ones the alternative keeps the inner text as it was."""
-    def rewrite(start, end, rest):
-        out, at = b"", start
-        while rest:
-            fault = rest.pop(0)
-            inner = []
-            while rest and rest[0]["end"] <= fault["end"]:
-                inner.append(rest.pop(0))
-            old = rewrite(fault["start"], fault["end"], inner)
-            test = f"glint_planted::on({fault['number']})".encode()
-            if fault["new"] is None:
-                new = b"if (" + test + b") {} else " + old
-            elif fault["new"] is True:
-                new = b"(" + test + b" != static_cast<bool>(" + old + b"))"
-            else:
-                new = b"(" + test + b" ? (" + fault["new"].encode() + b") : (" + old + b"))"
-            out += text[at:fault["start"]] + new
-            at = fault["end"]
-        return out + text[at:end]
-    ranked = sorted(faults, key=lambda f: (f["start"], -f["end"], f["new"] is not None))
-    return f'#include "{HERE}/planted.hpp"\n#line 1\n'.encode() + rewrite(0, len(text), ranked)
-
-
 # ---- the copy of the sources -------------------------------------------------------------------------------------------
 
 def put(path, text):
@@ -229,10 +74,9 @@ def put(path, text):
         path.write_bytes(text)
 
 
-def build(tree):
-    """The faults by number, in a copy of the sources that is built. What does not compile is left out."""
+def sources(tree, shares):
+    """The copy without faults, configured; how each file is compiled."""
     (tree / "build").mkdir(parents=True, exist_ok=True)
-    shares = files()
     for name in run("git", "ls-files", cwd=ROOT).stdout.splitlines():
         if name not in shares or not (tree / name).exists():
             text = (ROOT / name).read_bytes()
@@ -240,36 +84,57 @@ def build(tree):
                 text = text.replace(old, new) if name == file else text
             put(tree / name, text)
             shutil.copymode(ROOT / name, tree / name)
-    configured = run("cmake", "-G", "Ninja", "-S", tree, "-B", tree / "build", "-DGLINT_COSIM=OFF", "-DGLINT_WERROR=OFF", "-DCMAKE_CXX_COMPILER=g++",
-                     "-DCMAKE_BUILD_TYPE=Release", "-DCMAKE_CXX_FLAGS_RELEASE=-O1 -w", "-DCMAKE_EXPORT_COMPILE_COMMANDS=ON")
+    put(tree / "compile.sh", LAUNCHER.format(os.environ.get("CMAKE_CXX_COMPILER_LAUNCHER", "")).encode())
+    configured = run("cmake", "-G", "Ninja", "-S", tree, "-B", tree / "build", "-DGLINT_COSIM=OFF", "-DCMAKE_CXX_COMPILER=g++",
+                     "-DCMAKE_BUILD_TYPE=Release", f"-DCMAKE_CXX_COMPILER_LAUNCHER=sh;{tree / 'compile.sh'}", "-DCMAKE_EXPORT_COMPILE_COMMANDS=ON")
     if configured.returncode != 0:
         raise Failed(configured.stdout[-1000:] + configured.stderr[-1000:])
-    commands = {str(Path(c["file"]).relative_to(tree)): c["command"]
-                for c in json.loads((tree / "build/compile_commands.json").read_text()) if c["file"].startswith(str(tree))}
-    known, chosen, number = {}, {}, 0
+    return {str(Path(c["file"]).relative_to(tree)): c["command"]
+            for c in json.loads((tree / "build/compile_commands.json").read_text()) if c["file"].startswith(str(tree))}
+
+
+def choose(shares, commands, record):
+    """Of each file the faults that the record holds, and others until it has its share; the rest."""
+    held, chosen, rest = {key(line) for line in record}, {}, {}
     for name, (_, share) in shares.items():
-        known[name] = candidates(tree, commands, name)
-        chosen[name], known[name] = known[name][:share], known[name][share:]
-    for turn in range(12):
+        known = candidates(commands, name)
+        chosen[name] = [fault for fault in known if key(fault) in held]
+        others = [fault for fault in known if key(fault) not in held]
+        more = max(0, share - len(chosen[name]))
+        chosen[name] += others[:more]
+        rest[name] = others[more:]
+    return chosen, rest
+
+
+def compiles(tree, jobs):
+    """What the compiler says, and whether it is content."""
+    done = run("cmake", "--build", tree / "build", "--target", *TARGETS, "--", "-k", "0", f"-j{jobs}")
+    return done.returncode == 0, done.stdout
+
+
+def build(tree, shares, record, jobs):
+    """The faults by number, in a copy of the sources that is built. What does not compile is left out."""
+    chosen, rest = choose(shares, sources(tree, shares), record)
+    for _ in range(12):
         number = 0
         for name, faults in chosen.items():
             for fault in faults:
                 number += 1
                 fault["number"] = number
             put(tree / name, planted((ROOT / name).read_bytes(), faults))
-        done = run("cmake", "--build", tree / "build", "--target", *TARGETS, "--", "-k", "0", "-j1")
-        if done.returncode == 0:
-            return {f["number"]: {"kind": shares[name][0], "file": name, **f} for name, faults in chosen.items() for f in faults}
-        wrong = set(re.findall(r"^(?:In file included from )?(?:\.\./)*" + rf"(?:{re.escape(str(tree))}/)?([\w/.]+):(\d+):", done.stdout, re.MULTILINE))
+        good, words = compiles(tree, jobs)
+        if good:
+            return {str(f["number"]): {"kind": shares[name][0], **f} for name, faults in chosen.items() for f in faults}
+        wrong = set(re.findall(r"^(?:In file included from )?(?:\.\./)*" + rf"(?:{re.escape(str(tree))}/)?([\w/.]+):(\d+):", words, re.MULTILINE))
         dropped = 0
         for name, faults in chosen.items():
             bad = [f for f in faults if (name, str(f["line"])) in wrong]
             dropped += len(bad)
-            chosen[name] = [f for f in faults if f not in bad] + known[name][:len(bad)]
-            known[name] = known[name][len(bad):]
+            chosen[name] = [f for f in faults if f not in bad] + rest[name][:len(bad)]
+            rest[name] = rest[name][len(bad):]
         print(f"{dropped} faults do not compile, others instead", flush=True)
         if not dropped:
-            raise Failed(done.stdout[-3000:])
+            raise Failed(words[-3000:])
     raise Failed("no end of faults that do not compile")
 
 
@@ -324,52 +189,77 @@ def survey(known, longest):
     return out
 
 
-def plant(tree, record, longest, most):
-    """Tries what the record does not hold, and writes it there."""
+def prepare(tree, shares, record, options):
+    """The faults in the tree by number, its tests, and for each test its seconds and the faults that it meets."""
     state = tree / "planted.json"
-    now = [digest(ROOT / name) for name in files()] + [digest(Path(__file__)), digest(HERE / "planted.hpp"), longest]
-    if not state.exists() or json.loads(state.read_text())["digests"] != now:
-        faults = build(tree)
-        print(f"{len(faults)} faults planted", flush=True)
-        met = survey(shortened(tests(tree)), longest)
-        state.write_text(json.dumps({"digests": now, "faults": faults, "met": met}))
-    held = json.loads(state.read_text())
+    held = json.loads(state.read_text()) if state.exists() else {"digests": None, "faults": {}, "met": {}}
+    now = {name: digest(ROOT / name) for name in shares}
+    if held["digests"] == now and not options.plant:
+        sources(tree, shares)
+        good, words = compiles(tree, options.jobs)
+        if not good:
+            raise Failed(words[-3000:])
+    else:
+        faults = build(tree, shares, record, options.jobs)
+        held = {"digests": now, "faults": faults, "met": held["met"] if faults == held["faults"] else {}}
+    print(f"{len(held['faults'])} faults planted", flush=True)
     known = shortened(tests(tree))
-    met = {name: (seconds, set(met)) for name, (seconds, met) in held["met"].items()}
-    before = {key(line): line for line in read(record)}
+    again = re.compile(options.again)
+    held["met"] = {name: met for name, met in held["met"].items() if name in known and not (options.again and again.search(name))}
+    held["met"] |= survey({name: test for name, test in known.items() if name not in held["met"]}, options.longest)
+    state.write_text(json.dumps(held))
+    return held["faults"], known, {name: (seconds, set(some)) for name, (seconds, some) in held["met"].items()}
+
+
+def plant(tree, shares, file, options):
+    """Tries what the record does not hold, and writes it there."""
+    faults, known, met = prepare(tree, shares, read(file), options)
+    before = {key(line): line for line in read(file)}
+    passed = tree / "passed.jsonl"  # which fault has passed which test, for the next run
+    done = set(map(tuple, map(json.loads, passed.read_text().splitlines()))) if passed.exists() else set()
+    if options.again:
+        done = {(*fault, name) for *fault, name in done if not re.search(options.again, name)}
+        passed.write_text("".join(json.dumps(one) + "\n" for one in sorted(done)))
     tries = {}  # by file and test: what found a fault of a file may find the next
-    with record.open("a") as out:
-        for number, fault in held["faults"].items():
-            line = {name: fault[name] for name in ("kind", "file", "line", "mutation", "start")}
+    with file.open("a") as out, passed.open("a") as kept:
+        for number, fault in faults.items():
+            line = {name: fault[name] for name in ("kind", "file", "line", "text", "nth", "column", "mutation")}
             line["sha256"] = digest(ROOT / fault["file"])
+            last = before.get(key(line), {"killed_by": "", "sha256": ""})
             subject = Path(fault["file"]).stem.removeprefix("glint_").removeprefix("effect_")
 
             def dear(name):
                 """Seconds until it has found a fault."""
                 found, tried = tries.get((fault["file"], name), (0, 0))
-                return met[name][0] * (tried + 1) / (found + (0.5 if subject in name else 0.1))
+                return name != last["killed_by"], met[name][0] * (tried + 1) / (found + (0.5 if subject in name else 0.1))
 
-            meets = sorted((name for name, (seconds, some) in met.items() if int(number) in some and seconds <= longest), key=dear)[:most]
-            last = before.get(key(line))
-            if last and (not is_open(last) or last["longest"] >= longest and last["tried"] >= len(meets)):
+            if last["sha256"] == line["sha256"] and not is_open(last):
                 continue
-            line |= {"killed_by": "", "tried": len(meets), "longest": longest}
+            meets = sorted((name for name, (_, some) in met.items() if int(number) in some), key=dear)[:options.most]
+            line |= {"killed_by": "", "tried": len(meets), "longest": options.longest}
+            line |= {"equivalent": last["equivalent"]} if "equivalent" in last else {}
             for name in meets:
+                one = (*map(str, key(line)), line["sha256"], name)
+                if one in done:
+                    continue
                 found = not passes(known[name], number, 2 + 5 * met[name][0])
                 hits, tried = tries.get((fault["file"], name), (0, 0))
                 tries[fault["file"], name] = (hits + found, tried + 1)
                 if found:
                     line["killed_by"] = name
+                    line.pop("equivalent", None)
                     break
+                kept.write(json.dumps(one) + "\n")
+                kept.flush()
             out.write(json.dumps(line) + "\n")
             out.flush()
+    now = {key(fault) for fault in faults.values()}
+    lines = [line for line in read(file) if key(line) in now or line["file"] not in shares and line["file"] in files()]
+    names = list(files())
+    write(file, sorted(lines, key=lambda line: (names.index(line["file"]), line["line"], line["column"], line["mutation"])))
 
 
 # ---- the record --------------------------------------------------------------------------------------------------------
-
-def key(line):
-    return line["file"], line["sha256"], line["start"], line["mutation"]
-
 
 def read(file):
     """The lines of a record; of two about one fault the later."""
@@ -377,20 +267,43 @@ def read(file):
     return list({key(line): line for line in lines}.values())
 
 
+def write(file, lines):
+    file.write_text("".join(json.dumps(line) + "\n" for line in lines))
+
+
 def is_open(line):
     return not line["killed_by"] and not line.get("equivalent")
+
+
+def stale(record):
+    """The files that are not as they were when their faults were tried."""
+    names = {line["file"] for line in record if not (ROOT / line["file"]).exists() or digest(ROOT / line["file"]) != line["sha256"]}
+    return sorted(names | set(files()) - {line["file"] for line in record})
+
+
+def try_changed(file, options):
+    """Are as many faults of the files that changed found as before?"""
+    record = read(RECORD)
+    write(file, record)
+    shares = {name: share for name, share in files().items() if name in stale(record)}
+    worse = []
+    if shares:
+        plant(options.tree, shares, file, options)
+        before, after = (Counter(line["file"] for line in lines if is_open(line)) for lines in (record, read(file)))
+        worse = [name for name in shares if after[name] > before[name]]
+    print(f"{len(shares)} files have changed; more faults than before are open in: {', '.join(worse) or 'none'}")
+    return 1 if worse else 0
 
 
 def check(record):
     counts = Counter("open" if is_open(l) else "found" if l["killed_by"] else "equivalent" for l in record)
     for line in filter(is_open, record):
         print(f"open: {line['file']}:{line['line']} {line['mutation']}")
-    stale = {l["file"] for l in record if not (ROOT / l["file"]).exists() or digest(ROOT / l["file"]) != l["sha256"]}
-    stale |= set(files()) - {line["file"] for line in record}
-    for name in sorted(stale):
+    changed = stale(record)
+    for name in changed:
         print(f"not tried as it stands: {name}")
     print(f"{len(record)} faults: {counts['found']} found, {counts['equivalent']} equivalent, {counts['open']} open")
-    return 1 if counts["open"] or stale or not record else 0
+    return 1 if counts["open"] or changed or not record else 0
 
 
 def main():
@@ -399,6 +312,11 @@ def main():
     parser.add_argument("--record", type=Path, default=RECORD, metavar="FILE")
     parser.add_argument("--longest", type=float, default=20, metavar="SECONDS", help="tests that take more processor time are left out")
     parser.add_argument("--most", type=int, default=1000, metavar="TESTS", help="ends after so many tests of a fault; a later run tries more")
+    parser.add_argument("--changed", action="store_true",
+                        help="files that have changed; fails where more of a file's faults are open than in the record")
+    parser.add_argument("--plant", action="store_true", help="plants again in files that have not changed")
+    parser.add_argument("--again", default="", metavar="REGEX", help="tests that have changed since they were tried in this tree")
+    parser.add_argument("--jobs", type=int, default=1, metavar="N", help="for the build")
     parser.add_argument("--check", action="store_true")
     options = parser.parse_args()
     if options.check:
@@ -406,8 +324,11 @@ def main():
     if not options.tree:
         print("cpp_faults.py: --tree is missing: a folder for the copy of the sources", file=sys.stderr)
         return 2
+    options.tree = options.tree.resolve()
     try:
-        plant(options.tree.resolve(), options.record, options.longest, options.most)
+        if options.changed:
+            return try_changed(options.record, options)
+        plant(options.tree, files(), options.record, options)
     except Failed as failed:
         print(f"cpp_faults.py: FAILED: {failed}", file=sys.stderr)
         return 1

@@ -39,13 +39,13 @@ class Models(RenderCase):
         self.equal(warnings, entry.get("warnings", []), entry["name"])
 
     def test_installed(self):
-        """Every model of the package, by one entry each."""
+        """Every model of the package, by one entry each; those that only newer ones have may be missing."""
         if not (OPTIONS.models / "OBJ").is_dir():
             self.true(not OPTIONS.models.exists(), f"{OPTIONS.models} has no folder OBJ")
             return
         there = sorted(str(path.relative_to(OPTIONS.models)) for path in OPTIONS.models.rglob("*.obj"))
         entries = {entry["name"]: entry for entry in TABLE["assimp-testmodels"]}
-        self.equal(there, sorted(entries))
+        self.equal(there, sorted(name for name, entry in entries.items() if name in there or "newer" not in entry))
         for name in there:
             self.check(OPTIONS.models, name, entries[name])
 
