@@ -44,9 +44,9 @@ TEST_CASE("JSON: numbers that are none, lists of another length, and how a refus
     const nlohmann::json json{{"text", "1"},
                               {"less", -0.5},
                               {"none", 0},
-                              {"list", {1, 2}},
+                              {"list", {1U, 2U}},
                               {"real", {0.5}},
-                              {"large", {4294967296}},
+                              {"large", {4294967296U}},
                               {"forty", std::string(38, 'a')},
                               {"more", std::string(39, 'a')}};
     const std::string file = "file";

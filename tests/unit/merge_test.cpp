@@ -8,6 +8,7 @@
 #include "catch.hpp"
 #include "glint/error.hpp"
 #include "glint/lobes.hpp"
+#include "io/process.hpp"
 #include "io/quantity.hpp"
 #include "io/results.hpp"
 #include "io/shards.hpp"
@@ -19,16 +20,11 @@ using namespace glint::io;
 namespace {
 
 struct ShardFiles {
-    std::filesystem::path path = std::filesystem::temp_directory_path() / "glint-merge-test";
+    TemporaryFolder folder;
     std::vector<std::string> names;
 
-    ShardFiles() {
-        std::filesystem::remove_all(path);
-        std::filesystem::create_directories(path);
-    }
-    ~ShardFiles() { std::filesystem::remove_all(path); }
     void add(const std::string& text) {
-        names.push_back((path / fmt::format("{}.json", names.size() + 1)).string());
+        names.push_back((folder.path() / fmt::format("{}.json", names.size() + 1)).string());
         std::ofstream(names.back()) << text;
     }
     void add(const std::vector<RunResult>& runs, Shard shard, const std::string& tool = "glint-cosim") {

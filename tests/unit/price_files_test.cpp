@@ -82,18 +82,15 @@ std::string with(std::string text, const std::string& old, const std::string& no
 
 /// A folder with all of them, gone at the end.
 struct Folder {
-    std::filesystem::path path;
+    io::TemporaryFolder temporary;
+    const std::filesystem::path path = temporary.path();
 
-    explicit Folder(const std::string& name) : path(std::filesystem::temp_directory_path() / name) {
-        std::filesystem::remove_all(path);
-        std::filesystem::create_directories(path);
+    Folder() {
         write("accuracy.json", accuracy());
         write("fpga.json", fpga_prices);
         write("cpu.json", cpu_prices);
         write("hls.json", hls_prices);
     }
-    Folder(const Folder&) = delete;
-    ~Folder() { std::filesystem::remove_all(path); }
     std::string operator/(const std::string& file) const { return (path / file).string(); }
     void write(const std::string& file, const std::string& text) const { std::ofstream(path / file) << text; }
 };
@@ -109,7 +106,7 @@ TableOptions options(const Folder& folder) {
 }  // namespace
 
 TEST_CASE("price files: every number arrives where it belongs") {
-    const Folder folder("glint-price-files");
+    const Folder folder;
     const Prices data = read_cost_data(folder.path.string());
     CHECK(data.tools == "nextpnr-ice40 0.4, yosys 0.23");
     REQUIRE(data.accuracy.size() == 2);
@@ -150,7 +147,7 @@ TEST_CASE("price files: every number arrives where it belongs") {
 }
 
 TEST_CASE("price files: what is not legal is refused") {
-    const Folder folder("glint-price-refusals");
+    const Folder folder;
     const auto refused = [&](const char* file, const std::string& text, const std::string& says) {
         const std::string before = io::read_file(folder.path / file);
         folder.write(file, text);
@@ -170,7 +167,7 @@ TEST_CASE("price files: what is not legal is refused") {
 }
 
 TEST_CASE("price files: prices join their errors, and what has none is named") {
-    const Folder folder("glint-price-join");
+    const Folder folder;
     Prices data = read_cost_data(folder.path.string());
     const auto names = [&](const Scope& scope, const std::string& device) {
         std::string out;
@@ -189,7 +186,7 @@ TEST_CASE("price files: prices join their errors, and what has none is named") {
 }
 
 TEST_CASE("price files: what was not measured is named, line by line") {
-    const Folder folder("glint-price-missing");
+    const Folder folder;
     const std::vector<std::string> lines = not_measured(folder.path.string());
     const auto has = [&](const std::string& line) { return std::count(lines.begin(), lines.end(), line) == 1; };
     // Each lobe at three profiles and in six forms on a processor, but for what the files hold: one and three.
@@ -202,7 +199,7 @@ TEST_CASE("price files: what was not measured is named, line by line") {
 }
 
 TEST_CASE("price table: the CSV file is exact, the best by the metric first") {
-    const Folder folder("glint-price-csv");
+    const Folder folder;
     TableOptions table = options(folder);
     table.sort = "registers";
     CHECK(run_cost_table(table, "command") == 0);
@@ -230,7 +227,7 @@ TEST_CASE("price table: the CSV file is exact, the best by the metric first") {
 }
 
 TEST_CASE("price table: JSON, options that leave configurations out, and what leaves none") {
-    const Folder folder("glint-price-json");
+    const Folder folder;
     TableOptions table = options(folder);
     table.csv.clear();
     table.device = "all";
@@ -276,7 +273,7 @@ TEST_CASE("price table: JSON, options that leave configurations out, and what le
 }
 
 TEST_CASE("price table: for people") {
-    const Folder folder("glint-price-people");
+    const Folder folder;
     const Prices data = read_cost_data(folder.path.string());
     std::vector<Configuration> all = join(data, {}, "hx8k");
     const auto words = [](const std::string& text) {

@@ -4,6 +4,7 @@
 #include "catch.hpp"
 #include "cost/fpga/points.hpp"
 #include "glint/error.hpp"
+#include "io/process.hpp"
 
 // The file of prices, field by field.
 using namespace glint;
@@ -72,7 +73,8 @@ TEST_CASE("points: each field of a file") {
 }
 
 TEST_CASE("points: of a file their names alone, and what they are called") {
-    const auto file = std::filesystem::temp_directory_path() / "glint-points-test.json";
+    const io::TemporaryFolder folder;
+    const auto file = folder.path() / "points.json";
     const auto named = [&](const Point& point, PriceFile format) {
         std::ofstream(file) << merged({}, format, {}, {point});
         return named_points(file).at(0);
@@ -98,7 +100,6 @@ TEST_CASE("points: of a file their names alone, and what they are called") {
     CHECK(name_of(named(lanes, PriceFile::shells)) == "- - bps p12 restoring axis hx8k");
     std::ofstream(file) << R"({"format": "glint-cost-cpu-1", "points": []})";
     CHECK_THROWS_AS(named_points(file), Error);
-    std::filesystem::remove(file);
 }
 
 TEST_CASE("points: what the lines under the table say") {
