@@ -1,5 +1,5 @@
-// The tests of the unit of an effect. Test::stream and Test::exhaustive without stalls also hold the golden model
-// against the real function.
+// The tests of the unit of an effect. Those without stalls and resets also hold the golden model against the real
+// function.
 //
 // Test::stream sends the hard cases, the products of the corners of all inputs, then Request::count random inputs (with
 // stalls: no more corners than random inputs); Test::illegal every illegal code of every input, with the others random;

@@ -128,11 +128,12 @@ def stated(name, profile):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--profile", choices=list(PROFILES))
-    parser.add_argument("--spoiled", action="store_true", help="with a wrong entry in the table of exp2: has to fail")
+    parser.add_argument("--spoiled", action="store_true", help="with a wrong entry in the table of exp2: 0 if no bound holds")
     options = parser.parse_args()
-    wrong = 0
+    wrong = tried = 0
     for profile in [options.profile] if options.profile else PROFILES:
         for name in LOBES:
+            tried += 1
             try:
                 found, inputs = bound(name, profile, options.spoiled)
             except AssertionError as error:
@@ -144,6 +145,8 @@ def main():
             wrong += not good
             print(f"{'ok' if good else 'FAILED':6} {name} {profile}: {found:.6f} ulp from {inputs} inputs of the blocks; stated {table} and {page}, "
                   f"measured {measured}")
+    if options.spoiled:
+        wrong = tried - wrong
     return 1 if wrong else 0
 
 

@@ -8,8 +8,8 @@
 #include <limits>
 
 #include "catch.hpp"
-#include "glint/error.hpp"
 #include "models.hpp"
+#include "refusal.hpp"
 
 using namespace glint;
 using namespace glint::render;
@@ -30,14 +30,9 @@ Read mtl(const std::string& lines) {
     return out;
 }
 
-std::string refusal(const std::string& lines) {
+std::string mtl_refusal(const std::string& lines) {
     std::vector<std::string> warnings;
-    try {
-        read_mtl("newmtl m\n" + lines, "test.mtl", warnings);
-    } catch (const Error& error) {
-        return error.what();
-    }
-    return {};
+    return refusal([&] { read_mtl("newmtl m\n" + lines, "test.mtl", warnings); });
 }
 
 const std::string colours = "Ka 0.1 0.2 0.3\nKd 0.4 0.5 0.6\nKs 0.7 0.8 0.9\n";
@@ -72,12 +67,7 @@ ReadModel obj(const std::string& text) {
 }
 
 std::string obj_refusal(const std::string& text) {
-    try {
-        obj(text);
-    } catch (const Error& error) {
-        return error.what();
-    }
-    return {};
+    return refusal([&] { obj(text); });
 }
 
 bool holds(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
@@ -163,9 +153,9 @@ TEST_CASE("mtl: brdf picks the models") {
     CHECK(mtl(colours + "brdf phong\n").material.diffuse_model == "lambert");
     CHECK(mtl(colours + "brdf blinn_phong\n").material.specular_model == "blinn_phong");
     CHECK(mtl(colours + "brdf lambert phong\n").material.specular_model == "phong");
-    CHECK(holds(refusal(colours + "brdf gouraud\n"),
+    CHECK(holds(mtl_refusal(colours + "brdf gouraud\n"),
                 "material 'm': brdf 'gouraud' is not known: lambert, phong, blinn_phong"));
-    CHECK(holds(refusal(colours + "brdf phong blinn_phong\n"), "a material has one specular model"));
+    CHECK(holds(mtl_refusal(colours + "brdf phong blinn_phong\n"), "a material has one specular model"));
     for (const LightingModel& model : lighting_models()) {
         const Material material =
             mtl(colours + "Pr 0.4\naniso 0.2\nNi 1.6\nbrdf " + std::string(model.name) + "\n").material;
@@ -270,11 +260,11 @@ TEST_CASE("mtl: what a model cannot take counts as the nearest that it can, with
 TEST_CASE("mtl: what is no finite number is refused with its line") {
     for (const std::string number : {"nan", "inf", "-inf", "1e400", "abc", "1,5", "0x10", "++1", "1e"}) {
         INFO("'" << number << "'");
-        CHECK(holds(refusal("Kd 0.5 0.5 0.5\nNs " + number + "\n"), "test.mtl:3: "));
-        CHECK(holds(refusal("Ks 1 1 " + number + "\n"), "test.mtl:2: "));
+        CHECK(holds(mtl_refusal("Kd 0.5 0.5 0.5\nNs " + number + "\n"), "test.mtl:3: "));
+        CHECK(holds(mtl_refusal("Ks 1 1 " + number + "\n"), "test.mtl:2: "));
     }
-    CHECK(holds(refusal("Ks 1 1\n"), "test.mtl:2: 'Ks' has 2 numbers, legal are 1 or 3"));
-    CHECK(holds(refusal(std::string("K\0", 2)), "test.mtl: byte 10 is 0"));
+    CHECK(holds(mtl_refusal("Ks 1 1\n"), "test.mtl:2: 'Ks' has 2 numbers, legal are 1 or 3"));
+    CHECK(holds(mtl_refusal(std::string("K\0", 2)), "test.mtl: byte 10 is 0"));
     CHECK(mtl("Kd 1e-400 +.5 5.e-1\n").material.diffuse == Vec3{0, 0.5, 0.5});
 }
 

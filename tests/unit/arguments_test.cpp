@@ -1,26 +1,12 @@
 #include "catch.hpp"
-#include "glint/error.hpp"
 #include "glint/range.hpp"
 #include "io/command.hpp"
 #include "io/json_node.hpp"
+#include "refusal.hpp"
 
 // What arguments and fields of files may be, at both ends.
 using namespace glint;
 using namespace glint::io;
-
-namespace {
-
-template <class Function>
-std::string refusal(const Function& function) {
-    try {
-        function();
-    } catch (const Error& error) {
-        return error.what();
-    }
-    return "not refused";
-}
-
-}  // namespace
 
 TEST_CASE("shards: the first, the last, and no more parts than tasks") {
     CHECK(parse_shard("1/1") == Shard{1, 1});

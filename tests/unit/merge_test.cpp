@@ -6,12 +6,12 @@
 #include <nlohmann/json.hpp>
 
 #include "catch.hpp"
-#include "glint/error.hpp"
 #include "glint/lobes.hpp"
 #include "io/process.hpp"
 #include "io/quantity.hpp"
 #include "io/results.hpp"
 #include "io/shards.hpp"
+#include "refusal.hpp"
 
 // Results in parts: what merge_shards makes of them, and the line for people.
 using namespace glint;
@@ -32,12 +32,7 @@ struct ShardFiles {
     }
     /// What is wrong with them; empty: nothing.
     std::string complaint() const {
-        try {
-            merge_shards(names);
-        } catch (const Error& error) {
-            return error.what();
-        }
-        return {};
+        return refusal([&] { merge_shards(names); });
     }
 };
 

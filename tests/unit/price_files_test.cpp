@@ -8,9 +8,9 @@
 #include "cost/missing.hpp"
 #include "cost/prices.hpp"
 #include "cost/table.hpp"
-#include "glint/error.hpp"
 #include "glint/lobes.hpp"
 #include "io/process.hpp"
+#include "refusal.hpp"
 
 // Files of prices small enough to compute every figure by hand.
 using namespace glint;
@@ -20,17 +20,6 @@ namespace {
 
 /// Whether a text holds another.
 bool holds(const std::string& text, const std::string& part) { return text.find(part) != text.npos; }
-
-/// What a function is refused with; empty: it is not.
-template <class Function>
-std::string refusal(const Function& function) {
-    try {
-        function();
-    } catch (const Error& error) {
-        return error.what();
-    }
-    return {};
-}
 
 /// The numbers from 1 + more to 1023 + more: an error a value of n.
 std::string errors(int more) {
